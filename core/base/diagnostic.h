@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostic_code.h"
+
+namespace marey {
+
+/// Note: an assumption worth knowing. Warning: the text was repaired, or other tools would read it differently.
+/// Error: something in the file could not be used.
+enum class Severity { Note, Warning, Error };
+
+[[nodiscard]] std::string_view severity_name(Severity severity);
+
+/// Place in a text: 1-based line and column (in bytes). 0 means that the finding has no place.
+struct TextPlace {
+  int line = 0;
+  int column = 0;
+  friend bool operator==(const TextPlace&, const TextPlace&) = default;
+};
+
+/// One finding about a file. `message` is a whole sentence for people; `expected` and `found` are set where they apply.
+/// Repeated findings of one code are merged: `place` is that of the first, `count` says how many.
+struct Diagnostic {
+  DiagnosticCode code{};
+  Severity severity = Severity::Warning;
+  TextPlace place;
+  std::string message;
+  std::string expected;
+  std::string found;
+  int count = 1;
+};
+
+/// Ordered list of findings. Repeats of a code with the same message stem are counted, so a broken file with a million
+/// bad rows yields a handful of entries.
+class Diagnostics {
+ public:
+  /// Adds a finding, or counts it if one with the same code and the same `merge_key` exists. An empty key merges by code.
+  void add(Diagnostic diagnostic, std::string_view merge_key = {});
+
+  [[nodiscard]] const std::vector<Diagnostic>& list() const { return list_; }
+  [[nodiscard]] bool empty() const { return list_.empty(); }
+  [[nodiscard]] bool contains(DiagnosticCode code) const;
+  [[nodiscard]] int count(Severity severity) const;
+
+ private:
+  std::vector<Diagnostic> list_;
+  std::vector<std::string> merge_keys_;
+};
+
+}  // namespace marey

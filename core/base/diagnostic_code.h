@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string_view>
+
+namespace marey {
+
+/// Every finding and refusal that core can report. `docs/diagnostics.md` explains each.
+enum class DiagnosticCode {
+  UnexpectedToken,
+  UnexpectedEnd,
+  NotBvh,
+  EmptyFile,
+  UnsupportedEncoding,
+  ByteOrderMark,
+  TextAfterHierarchyEnd,
+  MissingHierarchyKeyword,
+  MissingRoot,
+  MissingOpeningBrace,
+  MissingClosingBrace,
+  SurplusClosingBrace,
+  JoinedTree,
+  JointWithoutBlock,
+  MissingName,
+  DuplicateName,
+  KeywordCase,
+  ChannelCase,
+  UnknownChannel,
+  ChannelCountMismatch,
+  RepeatedChannel,
+  RepeatedChannelsLine,
+  RepeatedOffset,
+  MissingOffset,
+  MissingChannels,
+  OffsetValueCount,
+  OffsetBracketed,
+  LeafWithoutEndSite,
+  EndSiteBesideChildren,
+  SeveralEndSites,
+  NamedEndSite,
+  SeveralRoots,
+  ZeroLengthBone,
+  MissingMotion,
+  MissingFrameCount,
+  MissingFrameTime,
+  FrameCountMismatch,
+  PartialFrame,
+  RowLength,
+  SurplusValues,
+  BadNumber,
+  NumbersRunTogether,
+  DecimalComma,
+  NotFinite,
+  NumberRange,
+  FrameTimeNotPositive,
+  FrameTimeLooksLikeRate,
+  Comment,
+  TextAfterMotion,
+  TrailingNul,
+  PositionsReplaceOffset,
+  PositionsAddToOffset,
+  PositionsAmbiguous,
+  LimitJoints,
+  LimitDepth,
+  LimitFrames,
+  LimitMemory,
+  LimitChannels,
+  InvalidSkeleton,
+  InvalidArgument,
+  NothingSelected,
+  NoFrames,
+};
+
+/// Stable identifier for programs, e.g. "offset_value_count"; it never changes its meaning.
+[[nodiscard]] std::string_view diagnostic_id(DiagnosticCode code);
+
+}  // namespace marey

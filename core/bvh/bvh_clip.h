@@ -1,0 +1,22 @@
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/bvh/style.h"
+#include "core/motion/motion.h"
+#include "core/skeleton/position_rule.h"
+#include "core/skeleton/skeleton.h"
+
+namespace marey {
+
+/// What a BVH file says: the figure, its motion, how the text was written, and what was noticed while reading.
+/// motion.channel_count() == skeleton.channel_count(), always.
+struct BvhClip {
+  Skeleton skeleton;
+  Motion motion;
+  BvhStyle style;
+  Diagnostics diagnostics;
+  /// The rule that the file's numbers speak for; a diagnostic says so where it matters.
+  PositionRule position_rule = PositionRule::Replace;
+};
+
+}  // namespace marey

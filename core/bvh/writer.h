@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/bvh/bvh_clip.h"
+
+namespace marey {
+
+/// Writes a BVH file in the given style. Reading the result gives back the same bits for every sample, offset and the
+/// frame time, whatever the style: a number whose styled form would lose bits is written in its shortest exact form.
+[[nodiscard]] std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style);
+
+}  // namespace marey

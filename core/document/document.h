@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/bvh/bvh_clip.h"
+#include "core/editing/history.h"
+
+namespace marey {
+
+/// An open clip: the only mutable thing of the program. It changes by named edits alone.
+class Document {
+ public:
+  Document() = default;
+  /// Opens what a reader returned, and guesses up axis and metres per unit. `file_name` is what was opened,
+  /// "walk.bvh".
+  Document(BvhClip clip, std::string file_name);
+
+  [[nodiscard]] const Clip& clip() const { return clip_; }
+  [[nodiscard]] const Skeleton& skeleton() const { return clip_.skeleton; }
+  [[nodiscard]] const Motion& motion() const { return clip_.motion; }
+  [[nodiscard]] const ClipSettings& settings() const { return clip_.settings; }
+  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const BvhStyle& style() const { return style_; }
+  [[nodiscard]] const std::string& file_name() const { return file_name_; }
+  [[nodiscard]] const History& history() const { return history_; }
+
+  void apply(Edit edit);
+  void apply_gesture(GestureId gesture, const std::function<Edit(const Clip&)>& make_edit);
+  void cancel_gesture(GestureId gesture);
+  bool undo();
+  bool redo();
+
+  [[nodiscard]] bool is_dirty() const { return !history_.is_saved(); }
+  /// Grows with every change; for caches of derived data.
+  [[nodiscard]] std::uint64_t revision() const { return history_.revision(); }
+
+  /// The clip as a BVH file in the opened file's style.
+  [[nodiscard]] std::string save_text() const;
+  /// Call when the text has reached the user. The ghosts are forgotten.
+  void mark_saved();
+
+  /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched.
+  [[nodiscard]] std::span<const double> saved_samples(ChannelIndex channel) const;
+
+ private:
+  void keep_ghosts(const Edit& edit);
+
+  Clip clip_;
+  BvhStyle style_;
+  Diagnostics diagnostics_;
+  std::string file_name_;
+  History history_;
+  std::map<ChannelIndex, std::vector<double>> saved_samples_;
+};
+
+/// The length of a file unit that makes the figure's stature human: 1 m, 1 cm, 1 inch or the CMU unit (0.05644 m),
+/// whichever brings the stature nearest to 1.7 m; theory.md 1.3.
+[[nodiscard]] double guess_metres_per_unit(const Skeleton& skeleton);
+
+}  // namespace marey

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "core/motion/motion.h"
+#include "core/skeleton/channel.h"
+#include "core/skeleton/position_rule.h"
+#include "core/skeleton/skeleton.h"
+
+namespace marey {
+
+/// What a BVH file leaves open and Marey guesses, shows and lets people change.
+struct ClipSettings {
+  PositionRule position_rule = PositionRule::Replace;
+  Axis up_axis = Axis::Y;
+  double metres_per_unit = 0.01;  ///< > 0
+  friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
+};
+
+/// A figure and its motion. motion.channel_count() == skeleton.channel_count(), always.
+struct Clip {
+  Skeleton skeleton;
+  Motion motion;
+  ClipSettings settings;
+};
+
+}  // namespace marey
