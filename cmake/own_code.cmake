@@ -1,0 +1,38 @@
+# What holds for every target made of this repository's own sources.
+option(MAREY_WARNINGS_AS_ERRORS "Stop at a compiler warning in Marey's own code" ON)
+
+find_program(CCACHE ccache)
+mark_as_advanced(CCACHE)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+  if(EMSCRIPTEN) # ccache does not know em++ by its name.
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_COMPILERTYPE=clang ${CCACHE})
+  endif()
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+
+# Native and wasm give the same numbers: no contraction into fused operations, no -ffast-math anywhere.
+add_compile_options(-ffp-contract=off)
+if(EMSCRIPTEN)
+  add_compile_options(-msimd128 -fno-exceptions)
+endif()
+
+# The sources below FOLDERS (relative to the repository), noticed when they appear; OUT is empty when there are none.
+function(marey_find_sources OUT)
+  set(patterns)
+  foreach(folder IN LISTS ARGN)
+    list(APPEND patterns "${PROJECT_SOURCE_DIR}/${folder}/*.cpp")
+  endforeach()
+  file(GLOB_RECURSE found CONFIGURE_DEPENDS ${patterns})
+  set(${OUT} "${found}" PARENT_SCOPE)
+endfunction()
+
+function(marey_own_target TARGET)
+  target_include_directories(${TARGET} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_compile_options(${TARGET} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+    $<$<BOOL:${MAREY_WARNINGS_AS_ERRORS}>:-Werror>)
+endfunction()
