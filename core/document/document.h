@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -29,8 +28,9 @@ class Document {
   [[nodiscard]] const std::string& file_name() const { return file_name_; }
   [[nodiscard]] const History& history() const { return history_; }
 
-  void apply(Edit edit);
-  void apply_gesture(GestureId gesture, const std::function<Edit(const Clip&)>& make_edit);
+  /// As in History: an edit that does not fit the clip is refused and changes nothing.
+  Status apply(Edit edit);
+  Status apply_gesture(GestureId gesture, const History::MakeEdit& make_edit);
   void cancel_gesture(GestureId gesture);
   bool undo();
   bool redo();
@@ -55,11 +55,12 @@ class Document {
   Diagnostics diagnostics_;
   std::string file_name_;
   History history_;
+  GestureId last_gesture_ = 0;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
 };
 
-/// The length of a file unit that makes the figure's stature human: 1 m, 1 cm, 1 inch or the CMU unit (0.05644 m),
-/// whichever brings the stature nearest to 1.7 m; theory.md 1.3.
+/// The length of a file unit that makes the figure's stature human: 1 m, 1 cm, 1 mm, 1 inch or the CMU unit
+/// (0.0254 / 0.45 m = 5.644 cm), whichever brings the stature nearest to 1.7 m as a ratio. 1 cm without a stature.
 [[nodiscard]] double guess_metres_per_unit(const Skeleton& skeleton);
 
 }  // namespace marey

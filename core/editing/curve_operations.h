@@ -6,6 +6,9 @@
 
 namespace marey {
 
+// All of these leave the clip as it is and return what to apply. Selected samples outside of the clip do not count.
+// An operation that would change nothing, or that is given a number that is not finite, returns an empty edit.
+
 /// How far a dragged sample pulls its unselected neighbours: weight 1 in the selection, falling to 0 at
 /// `radius_frames` from its nearest selected sample along a raised cosine. 0: the selection alone moves.
 struct Falloff {
@@ -15,24 +18,27 @@ struct Falloff {
 /// Weight of a sample `distance_frames` from the nearest selected one; 1 at 0, 0 from the radius on.
 [[nodiscard]] double falloff_weight(const Falloff& falloff, double distance_frames);
 
-/// Moves the selected samples by `delta` (the channel's unit) and their neighbours by the falloff's share.
+/// Moves the selected samples by `delta` (the channel's unit) and their neighbours by the falloff's share. Samples that
+/// are not finite stay.
 [[nodiscard]] Edit make_move_edit(const Clip& clip, const SampleSelection& selection, double delta, Falloff falloff);
 
 /// Gives all selected samples one value.
 [[nodiscard]] Edit make_value_edit(const Clip& clip, const SampleSelection& selection, double value);
 
-/// Scales the selected samples about a pivot: v' = pivot + factor (v - pivot).
+/// Scales the selected samples about a pivot: v' = pivot + factor (v - pivot). Samples that are not finite
+/// stay.
 [[nodiscard]] Edit make_scale_edit(const Clip& clip, const SampleSelection& selection, double factor, double pivot);
 
-/// Smooths each selected run with a Gaussian of standard deviation `sigma_frames` > 0, kernel cut at 4 sigma. Samples
-/// outside of the run feed the filter, so the run joins its surroundings; the clip's ends are continued by point
-/// reflection about the end sample, which keeps constants and straight lines exact. Samples that are not finite stay.
+/// Smooths each selected run with a Gaussian of standard deviation `sigma_frames` > 0 (at most the length of the clip),
+/// kernel cut at 4 sigma. Samples outside of the run feed the filter, so the run joins its surroundings; the curve is
+/// continued beyond its first and last finite sample by point reflection about it. Samples that are not finite stay,
+/// and weigh nothing in the others, nor does the sample opposite of them: so constants and straight lines stay exact.
 [[nodiscard]] Edit make_smooth_edit(const Clip& clip, const SampleSelection& selection, double sigma_frames);
 
 /// Sets one sample, for typed numbers in the inspector.
 [[nodiscard]] Edit make_sample_edit(const Clip& clip, ChannelIndex channel, FrameIndex frame, double value);
 
-/// Mean of the selected samples, the natural pivot of a scale; 0 for an empty selection.
+/// Mean of the selected samples that are finite, the natural pivot of a scale; 0 when there is none.
 [[nodiscard]] double compute_selection_mean(const Clip& clip, const SampleSelection& selection);
 
 }  // namespace marey

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/result.h"
 #include "core/motion/clip.h"
 
 namespace marey {
@@ -34,14 +35,27 @@ struct Edit {
   [[nodiscard]] bool empty() const { return samples.empty() && offsets.empty() && !settings && !frame_time_s; }
 };
 
+/// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
+/// overlap, a frame time or a unit of length that is not positive; with NotFinite: an offset that is not finite, and a
+/// sample that would stop being finite (one that is not finite already may stay so).
+[[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);
+
+/// The part of `edit` that changes the clip: samples are cut to the frames from the first to the last whose bits
+/// differ, everything that is the same already is dropped. Precondition: check_edit(clip, edit) is ok.
+[[nodiscard]] Edit reduced_to_changes(const Clip& clip, Edit edit);
+
 /// Exchanges the content of `edit` with that of the clip: the clip gets the new values and the edit holds the old ones,
-/// so the same call undoes and redoes. Every index in the edit is valid for the clip.
+/// so the same call undoes and redoes. Precondition: check_edit(clip, edit) is ok, or the edit came out of this call.
 void swap_edit(Clip& clip, Edit& edit);
 
 /// Bytes that an edit keeps, for the history's bound.
 [[nodiscard]] std::size_t edit_bytes(const Edit& edit);
 
-/// Frames whose poses an edit changes: the hull of its samples, the whole clip if it moves an offset or the rule.
+/// Frames whose poses an edit changes: the hull of its samples; the whole clip for an offset or for settings (only
+/// their position rule moves poses, but a swapped edit does not tell which field changed); none for the frame time.
 [[nodiscard]] FrameRange edited_frames(const Clip& clip, const Edit& edit);
+
+/// Smallest range that covers both; an empty one does not count.
+[[nodiscard]] FrameRange hull(FrameRange a, FrameRange b);
 
 }  // namespace marey

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/document/document.h"
+#include "core/document/playback.h"
+#include "core/document/selection.h"
+
+namespace marey {
+
+/// An open clip with what the user has selected and where they look. Edits go through here rather than through
+/// `document`, so that playback follows the clip.
+struct Session {
+  Document document;
+  Selection selection;
+  Playback playback;
+
+  /// Nothing selected, paused on the first frame.
+  [[nodiscard]] static Session open(BvhClip clip, std::string file_name);
+
+  /// As in Document.
+  Status apply(Edit edit);
+  Status apply_gesture(GestureId gesture, const History::MakeEdit& make_edit);
+  void cancel_gesture(GestureId gesture);
+  bool undo();
+  bool redo();
+};
+
+}  // namespace marey

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "core/editing/edit.h"
+
+namespace marey {
+
+/// Moves a joint or end site in the rest pose. Refused on applying if the offset is not finite.
+[[nodiscard]] Edit make_offset_edit(const Clip& clip, NodeIndex node, const glm::dvec3& offset_file_units);
+
+/// Changes the reading of the file: up axis, unit of length, meaning of the position channels.
+[[nodiscard]] Edit make_settings_edit(const Clip& clip, const ClipSettings& settings);
+
+/// Changes the time of a frame, so the speed of the clip; the samples stay. > 0.
+[[nodiscard]] Edit make_frame_time_edit(double frame_time_s);
+
+}  // namespace marey

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace marey::app {
+
+/// One thing the user can do. Menus, shortcuts, the palette, buttons, the page's JavaScript API and the tests all run
+/// it from here.
+struct Command {
+  std::string id;        ///< "edit.undo": stable, part of the page's API
+  std::string label;     ///< "Undo": sentence case, no full stop; "…" at the end when it opens a dialog
+  std::string help;      ///< one sentence for the tool tip
+  std::string shortcut;  ///< "Ctrl+Z", "Space", "Shift+F"; "" for none. Several: "Ctrl+Y, Ctrl+Shift+Z"
+  const char* icon = nullptr;  ///< a glyph of the icon font (wasm/app/icons.h); nullptr for none
+
+  /// Runs it. `args` is null when it comes from a menu, button or shortcut. Returns what the JavaScript caller gets;
+  /// an object {"error": sentence} when the arguments are wrong.
+  std::function<nlohmann::json(const nlohmann::json& args)> run;
+
+  /// Why it cannot run now, as a short sentence; "" when it can. Not set: always possible.
+  std::function<std::string()> blocked;
+  /// For toggles: whether it is on, shown as a check mark. Not set: no toggle.
+  std::function<bool()> checked;
+  /// A label that depends on the state ("Undo move 12 samples"); not set: `label`.
+  std::function<std::string()> live_label;
+  bool in_palette = true;
+};
+
+class CommandRegistry {
+ public:
+  /// Precondition: the id is new.
+  void add(Command command);
+
+  [[nodiscard]] const Command* find(std::string_view id) const;
+  [[nodiscard]] const std::vector<Command>& all() const { return commands_; }
+
+  /// Runs a command by id. {"error": ...} for an unknown id or a blocked command; else what the command returns.
+  nlohmann::json run(std::string_view id, const nlohmann::json& args = nullptr);
+
+  [[nodiscard]] static std::string label_of(const Command& command);
+  [[nodiscard]] static std::string blocked_reason(const Command& command);
+  [[nodiscard]] static bool is_enabled(const Command& command) { return blocked_reason(command).empty(); }
+
+  /// Runs the enabled command whose shortcut is the chord pressed this frame, unless a text field has the keyboard.
+  /// Call once per frame inside of an ImGui frame. Returns the id that ran, "" if none.
+  std::string run_pressed_shortcut();
+
+ private:
+  std::vector<Command> commands_;
+};
+
+}  // namespace marey::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace marey::app {
+
+/// The faces of the page. Sizes are ImGui units; ImGui rasterises each at the device's resolution on demand.
+struct Fonts {
+  ImFont* text = nullptr;      ///< Inter, with the icon font merged in
+  ImFont* semibold = nullptr;  ///< Inter semibold, panel titles
+  ImFont* mono = nullptr;      ///< numbers
+  static constexpr float kTextSize = 13.0f;
+  static constexpr float kSmallSize = 11.0f;
+  static constexpr float kTitleSize = 15.0f;
+};
+
+/// File contents (TrueType) handed over by the page; an empty one falls back to ImGui's own font.
+struct FontFiles {
+  std::vector<std::byte> text;
+  std::vector<std::byte> semibold;
+  std::vector<std::byte> mono;
+  std::vector<std::byte> icons;
+};
+
+/// Adds the faces to the current ImGui context. The files may be released afterwards.
+[[nodiscard]] Fonts add_fonts(const FontFiles& files);
+
+}  // namespace marey::app

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "core/document/session.h"
+#include "wasm/app/commands.h"
+#include "wasm/app/fonts.h"
+#include "wasm/app/theme.h"
+#include "wasm/app/time_window.h"
+#include "wasm/app/ui_items.h"
+#include "wasm/app/view_options.h"
+
+namespace marey::app {
+
+/// What a panel needs to draw itself. Nobody keeps it beyond the call.
+struct ViewContext {
+  Session& session;
+  CommandRegistry& commands;
+  ViewOptions& options;
+  TimeWindow& time_window;  ///< shared by ruler and curves
+  const Theme& theme;
+  const Fonts& fonts;
+  UiItems& items;
+  const Hover& hover;  ///< of the last frame
+  Hover& next_hover;   ///< what this frame's views find under the pointer
+  std::string& status; ///< one line that says what a drag does, or what just happened; shown in the viewport's corner
+  double now_s = 0.0;
+  bool& redraw;        ///< set to ask for a further frame (animation running)
+};
+
+}  // namespace marey::app

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/index.h"
+#include "core/skeleton/channel.h"
+
+namespace marey::app {
+
+enum class ViewPreset { Free, Front, Side, Top };
+
+/// What the views show and how; kept between visits, not part of a file.
+struct ViewOptions {
+  bool show_outliner = true;
+  bool show_inspector = true;
+  bool show_curves = true;
+  bool show_grid = true;
+  bool show_shadow = true;
+  bool show_names = false;
+  bool show_strobe = false;
+  int strobe_every_frames = 4;  ///< >= 1
+  bool show_trails = false;     ///< of the selected joints; of the end sites when none is selected
+  bool follow_root = false;
+  bool orthographic = false;
+  float falloff_radius_frames = 8.0f;  ///< of a drag in the curve editor
+  float smooth_sigma_frames = 2.0f;
+  float interface_scale = 1.0f;  ///< 1 to 2.5
+  bool touch = false;            ///< the last pointer was a finger: targets of 40 px
+  bool compact = false;          ///< narrower than 700 units: one column; set by the layout
+};
+
+/// What the pointer is over, so that body, tree row and curve of the same joint light up together. Views write it while
+/// drawing; it is read in the next frame.
+struct Hover {
+  JointIndex joint = kNoParent;
+  ChannelIndex channel = -1;
+};
+
+}  // namespace marey::app

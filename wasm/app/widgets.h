@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "wasm/app/view_context.h"
+
+/// The controls of the page: one look, a tool tip on each, each recorded in UiItems. Views use these instead of bare
+/// ImGui controls.
+namespace marey::app::ui {
+
+enum class ButtonLook { Plain, Raised, Primary };
+
+/// Button of a command: icon and, with `with_label`, its label; tool tip with help, shortcut and, when disabled, the
+/// reason. The item id is the command's id with `id_suffix` behind it. Returns true when it ran.
+bool command_button(ViewContext& context, std::string_view command_id, ButtonLook look = ButtonLook::Plain,
+                    bool with_label = false, std::string_view id_suffix = {});
+
+/// Icon button that is no command. `tool_tip`: name and what it does.
+bool icon_button(ViewContext& context, const std::string& id, const char* icon, std::string_view tool_tip,
+                 bool active = false);
+
+bool text_button(ViewContext& context, const std::string& id, std::string_view label, std::string_view tool_tip,
+                 ButtonLook look = ButtonLook::Raised);
+
+/// How a number is shown and changed.
+struct NumberFormat {
+  std::string_view unit;  ///< "°", "frames", "s", "units"; shown behind the number
+  int decimals = 3;
+  double step = 0.1;      ///< per pixel of drag and per arrow key
+  double low = -1e12;
+  double high = 1e12;
+  float width = 96.0f;
+};
+
+/// What happened to a number field in this frame. A drag is Live in each frame with one GestureId from begin to end.
+enum class NumberEvent { None, Live, Committed, Cancelled };
+
+struct NumberResult {
+  NumberEvent event = NumberEvent::None;
+  double value = 0.0;
+  GestureId gesture = 0;  ///< same over one drag; use it for Document::apply_gesture
+};
+
+/// Number with its unit: drag to change, double click or Enter to type, arrow keys step, Escape reverts.
+NumberResult number_field(ViewContext& context, const std::string& id, std::string_view label, double value,
+                          const NumberFormat& format);
+
+/// Search field with a clear button; returns true when the text changed.
+bool search_field(ViewContext& context, const std::string& id, std::string_view hint, std::string& text);
+
+bool toggle(ViewContext& context, const std::string& id, std::string_view label, std::string_view tool_tip, bool& on);
+
+/// Panel title in the title face, 15 semibold, on one 32 px row.
+void panel_title(ViewContext& context, std::string_view title);
+
+/// Dim small text for labels and units.
+void dim_text(ViewContext& context, std::string_view text);
+
+/// Tool tip of the last item, shown after the usual delay: bold name, sentence, shortcut.
+void tool_tip(ViewContext& context, std::string_view name, std::string_view help, std::string_view shortcut = {});
+
+/// Text cut to `width` with an ellipsis in the middle; full text as tool tip when it was cut.
+void elided_text(ViewContext& context, std::string_view text, float width, ImU32 color);
+
+/// A text from a file that may not be UTF-8: invalid bytes shown as U+FFFD.
+[[nodiscard]] std::string displayable(std::string_view bytes);
+
+}  // namespace marey::app::ui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace marey::app {
+
+/// Everything the program asks of the machine it runs on. One class, two implementations: platform/web (the browser)
+/// and platform/headless (tests); CMake picks the file.
+class Backend {
+ public:
+  /// Opens the browser's file picker; the chosen file arrives through App::open_file.
+  void ask_for_file();
+  /// Hands bytes to the user as a download.
+  void download(std::string_view file_name, std::string_view bytes);
+  /// Opens a bundled sample by its id; it arrives through App::open_file.
+  void load_sample(std::string_view sample_id);
+  void set_clipboard_text(std::string_view text);
+  /// Title of the tab and the warning before leaving with unsaved changes.
+  void set_document_state(std::string_view file_name, bool dirty);
+  /// Text for assistive technology (aria-live).
+  void announce(std::string_view text);
+  /// Keeps preferences (JSON text) between visits; silently none where the browser forbids it.
+  void store_preferences(std::string_view json);
+  [[nodiscard]] std::string load_preferences();
+  /// CSS name of a mouse cursor: "default", "grab", "ew-resize" ...
+  void set_mouse_cursor(std::string_view css_cursor);
+  /// Opens an address of the page's own documentation or licence in a new tab.
+  void open_link(std::string_view url);
+};
+
+}  // namespace marey::app
