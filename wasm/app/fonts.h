@@ -7,14 +7,15 @@
 
 namespace marey::app {
 
-/// The faces of the page. Sizes are ImGui units; ImGui rasterises each at the device's resolution on demand.
+/// The faces of the page. Sizes are ImGui units and mean the height of a line from ascender to descender, as ImGui
+/// takes them; the em of Inter is 0.83 of it (13, 11 and 15 px). ImGui rasterises at the device's resolution on demand.
 struct Fonts {
   ImFont* text = nullptr;      ///< Inter, with the icon font merged in
   ImFont* semibold = nullptr;  ///< Inter semibold, panel titles
   ImFont* mono = nullptr;      ///< numbers
-  static constexpr float kTextSize = 13.0f;
-  static constexpr float kSmallSize = 11.0f;
-  static constexpr float kTitleSize = 15.0f;
+  static constexpr float kTextSize = 16.0f;
+  static constexpr float kSmallSize = 13.0f;
+  static constexpr float kTitleSize = 18.0f;
 };
 
 /// File contents (TrueType) handed over by the page; an empty one falls back to ImGui's own font.

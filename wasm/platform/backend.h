@@ -5,6 +5,13 @@
 
 namespace marey::app {
 
+/// What the person has set on their machine.
+struct SystemPreferences {
+  bool dark = true;            ///< prefers-color-scheme
+  bool reduced_motion = false;  ///< prefers-reduced-motion
+  bool apple_keys = false;     ///< Cmd stands where others have Ctrl
+};
+
 /// Everything the program asks of the machine it runs on. One class, two implementations: platform/web (the browser)
 /// and platform/headless (tests); CMake picks the file.
 class Backend {
@@ -23,6 +30,8 @@ class Backend {
   /// Keeps preferences (JSON text) between visits; silently none where the browser forbids it.
   void store_preferences(std::string_view json);
   [[nodiscard]] std::string load_preferences();
+  /// As they are now; asked for in every frame.
+  [[nodiscard]] SystemPreferences system_preferences();
   /// CSS name of a mouse cursor: "default", "grab", "ew-resize" ...
   void set_mouse_cursor(std::string_view css_cursor);
   /// Opens an address of the page's own documentation or licence in a new tab.
