@@ -4,9 +4,9 @@
 #include <optional>
 #include <string_view>
 
-namespace marey {
+#include "core/math/axis.h"
 
-enum class Axis : std::uint8_t { X, Y, Z };
+namespace marey {
 
 /// What one column of a BVH frame drives. Positions and scales are in file units and ratios, rotations in degrees.
 enum class ChannelKind : std::uint8_t {

@@ -1,0 +1,76 @@
+#include "core/kinematics/pose.h"
+
+#include "core/motion/sampling.h"
+
+namespace marey {
+namespace {
+
+template <class SampleOf>
+glm::dvec3 local_translation(const Skeleton& skeleton, JointIndex joint, PositionRule rule, SampleOf sample_of) {
+  glm::dvec3 translation = skeleton.offset(joint);
+  ChannelIndex index = skeleton.first_channel(joint);
+  for (const Channel& channel : skeleton.channels(joint)) {
+    if (is_position(channel.kind)) {
+      double& component = translation[static_cast<int>(axis_of(channel.kind))];
+      component = rule == PositionRule::Add ? component + sample_of(index) : sample_of(index);
+    }
+    ++index;
+  }
+  return translation;
+}
+
+}  // namespace
+
+void LocalPose::resize(const Skeleton& skeleton) {
+  local_translations.resize(idx(skeleton.joint_count()), glm::dvec3(0.0));
+  local_rotations.resize(idx(skeleton.joint_count()), glm::dquat(1.0, 0.0, 0.0, 0.0));
+}
+
+void WorldPose::resize(const Skeleton& skeleton) {
+  world_positions.resize(idx(skeleton.node_count()), glm::dvec3(0.0));
+  world_rotations.resize(idx(skeleton.joint_count()), glm::dquat(1.0, 0.0, 0.0, 0.0));
+}
+
+void compute_local_pose(const Skeleton& skeleton, const Motion& motion, FrameIndex frame, PositionRule rule,
+                        LocalPose& local) {
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    local.local_translations[idx(joint)] = local_translation(
+        skeleton, joint, rule, [&](ChannelIndex channel) { return motion.sample(channel, frame); });
+    local.local_rotations[idx(joint)] = joint_rotation(skeleton, motion, joint, frame);
+  }
+}
+
+void compute_local_pose_between(const Skeleton& skeleton, const Motion& motion, double frame, PositionRule rule,
+                                LocalPose& local) {
+  const FrameBlend at = find_frame_blend(motion.frame_count(), frame);
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    local.local_translations[idx(joint)] = local_translation(
+        skeleton, joint, rule, [&](ChannelIndex channel) { return sample_at(motion, channel, at); });
+    local.local_rotations[idx(joint)] = joint_rotation(skeleton, motion, joint, at);
+  }
+}
+
+void compute_rest_pose(const Skeleton& skeleton, LocalPose& local) {
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    local.local_translations[idx(joint)] = skeleton.offset(joint);
+    local.local_rotations[idx(joint)] = glm::dquat(1.0, 0.0, 0.0, 0.0);
+  }
+}
+
+void compute_world_pose(const Skeleton& skeleton, const LocalPose& local, WorldPose& world) {
+  for (NodeIndex index = 0; index < skeleton.node_count(); ++index) {
+    const Node& node = skeleton.node(index);
+    const glm::dvec3& translation = node.is_end_site ? node.offset : local.local_translations[idx(node.joint)];
+    glm::dvec3 position = translation;
+    glm::dquat rotation = node.is_end_site ? glm::dquat(1.0, 0.0, 0.0, 0.0) : local.local_rotations[idx(node.joint)];
+    if (node.parent != kNoParent) {
+      const glm::dquat& parent = world.world_rotations[idx(skeleton.node(node.parent).joint)];
+      position = world.world_positions[idx(node.parent)] + parent * translation;
+      rotation = parent * rotation;
+    }
+    world.world_positions[idx(index)] = position;
+    if (!node.is_end_site) world.world_rotations[idx(node.joint)] = rotation;
+  }
+}
+
+}  // namespace marey
