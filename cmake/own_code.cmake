@@ -18,6 +18,11 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 add_compile_options(-ffp-contract=off)
 if(EMSCRIPTEN)
   add_compile_options(-msimd128 -fno-exceptions)
+  if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
+    add_link_options(-sTOTAL_STACK=1MB)
+  else()
+    add_link_options(-sSTACK_SIZE=1MB)
+  endif()
 endif()
 
 # The sources below FOLDERS (relative to the repository), noticed when they appear; OUT is empty when there are none.

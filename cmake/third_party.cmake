@@ -42,14 +42,14 @@ else()
   target_link_libraries(marey_gtest INTERFACE GTest::gmock_main)
 endif()
 
-# Dear ImGui's sources lie where scripts/get_imgui.mjs puts them.
+# Dear ImGui's sources lie where scripts/setup/imgui.mjs puts them.
 set(MAREY_IMGUI_DIR "${PROJECT_SOURCE_DIR}/build/deps/imgui" CACHE PATH "Dear ImGui, 1.92.2b, sources")
 if(EXISTS "${MAREY_IMGUI_DIR}/imgui.cpp")
   file(GLOB imgui_sources "${MAREY_IMGUI_DIR}/imgui*.cpp" "${MAREY_IMGUI_DIR}/misc/cpp/*.cpp")
   add_library(imgui STATIC EXCLUDE_FROM_ALL ${imgui_sources})
   target_include_directories(imgui SYSTEM PUBLIC "${MAREY_IMGUI_DIR}")
   target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
-    IMGUI_DISABLE_FILE_FUNCTIONS)
+    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
   if(EMSCRIPTEN)
     target_sources(imgui PRIVATE "${MAREY_IMGUI_DIR}/backends/imgui_impl_opengl3.cpp")
     target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
