@@ -49,6 +49,7 @@ class Document {
 
  private:
   void keep_ghosts(const Edit& edit);
+  void keep_gesture_ghosts(GestureId gesture);
 
   Clip clip_;
   BvhStyle style_;

@@ -13,7 +13,8 @@ class Playback {
   Playback() = default;
   Playback(int frame_count, double frame_time_s);
 
-  /// Position in frames, 0-based, never beyond the last frame; between whole numbers while playing slowly or scrubbing freely.
+  /// Position in frames, 0-based, never beyond the last frame; between whole numbers while playing slowly or
+  /// scrubbing freely.
   [[nodiscard]] double position() const { return position_; }
   /// Nearest whole frame.
   [[nodiscard]] FrameIndex frame() const;
@@ -43,7 +44,6 @@ class Playback {
 
  private:
   [[nodiscard]] FrameIndex last_frame() const { return range_.count > 0 ? range_.end() - 1 : range_.first; }
-  void show_exact_position();
 
   int frame_count_ = 0;
   double frame_time_s_ = 1.0 / 30.0;

@@ -6,11 +6,12 @@
 
 namespace marey {
 
-// All of these leave the clip as it is and return what to apply. Selected samples outside of the clip do not count.
-// An operation that would change nothing, or that is given a number that is not finite, returns an empty edit.
+// All of these leave the clip as it is and return what to apply; check_edit() refuses the result when a finite sample
+// would stop being finite. Selected samples outside of the clip do not count; without any the edit is empty.
 
 /// How far a dragged sample pulls its unselected neighbours: weight 1 in the selection, falling to 0 at
-/// `radius_frames` from its nearest selected sample along a raised cosine. 0: the selection alone moves.
+/// `radius_frames` from its nearest selected sample along a raised cosine. 0 (or not finite): the selection alone
+/// moves.
 struct Falloff {
   double radius_frames = 0.0;
 };

@@ -51,8 +51,8 @@ void swap_edit(Clip& clip, Edit& edit);
 /// Bytes that an edit keeps, for the history's bound.
 [[nodiscard]] std::size_t edit_bytes(const Edit& edit);
 
-/// Frames whose poses an edit changes: the hull of its samples; the whole clip for an offset or for settings (only
-/// their position rule moves poses, but a swapped edit does not tell which field changed); none for the frame time.
+/// Frames whose poses an edit changes: the hull of its samples; the whole clip for an offset or another position rule;
+/// none for the frame time and the other settings. The same before and after swap_edit().
 [[nodiscard]] FrameRange edited_frames(const Clip& clip, const Edit& edit);
 
 /// Smallest range that covers both; an empty one does not count.

@@ -28,6 +28,7 @@ class History {
   /// it was before the gesture and its edit becomes the gesture's only step. An edit that changes nothing leaves no
   /// step, and what could be redone before the gesture can be redone again. If check_edit() refuses the edit, the
   /// gesture stays in its former state. A gesture is over when another step is applied, or when it is undone.
+  /// Gesture 0 is apply().
   Status apply_gesture(Clip& clip, GestureId gesture, const MakeEdit& make_edit);
 
   /// Takes a gesture back as if it had not been (Escape during a drag). Nothing happens if it left no step on top.

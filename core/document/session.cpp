@@ -1,0 +1,53 @@
+#include "core/document/session.h"
+
+#include <utility>
+
+namespace marey {
+namespace {
+
+void follow_clip(Session& session) {
+  const Motion& motion = session.document.motion();
+  session.playback.set_clip(motion.frame_count(), motion.frame_time_s());
+}
+
+}  // namespace
+
+Session Session::open(BvhClip clip, std::string file_name) {
+  Session session;
+  session.document = Document(std::move(clip), std::move(file_name));
+  session.selection = Selection(session.document.skeleton());
+  const Motion& motion = session.document.motion();
+  session.playback = Playback(motion.frame_count(), motion.frame_time_s());
+  return session;
+}
+
+Status Session::apply(Edit edit) {
+  Status status = document.apply(std::move(edit));
+  follow_clip(*this);
+  return status;
+}
+
+Status Session::apply_gesture(GestureId gesture, const History::MakeEdit& make_edit) {
+  Status status = document.apply_gesture(gesture, make_edit);
+  follow_clip(*this);
+  return status;
+}
+
+void Session::cancel_gesture(GestureId gesture) {
+  document.cancel_gesture(gesture);
+  follow_clip(*this);
+}
+
+bool Session::undo() {
+  const bool undone = document.undo();
+  follow_clip(*this);
+  return undone;
+}
+
+bool Session::redo() {
+  const bool redone = document.redo();
+  follow_clip(*this);
+  return redone;
+}
+
+}  // namespace marey

@@ -1,0 +1,42 @@
+#include "core/editing/clip_operations.h"
+
+#include <fmt/format.h>
+
+namespace marey {
+namespace {
+
+std::string settings_edit_name(const ClipSettings& before, const ClipSettings& after) {
+  const bool rule = before.position_rule != after.position_rule;
+  const bool axis = before.up_axis != after.up_axis;
+  const bool unit = before.metres_per_unit != after.metres_per_unit;
+  if (rule && !axis && !unit) return "Change meaning of positions";
+  if (axis && !rule && !unit) return "Change up axis";
+  if (unit && !rule && !axis) return "Change unit of length";
+  return "Change clip settings";
+}
+
+}  // namespace
+
+Edit make_offset_edit(const Clip& clip, NodeIndex node, const glm::dvec3& offset_file_units) {
+  Edit edit;
+  const bool exists = node >= 0 && node < clip.skeleton.node_count();
+  edit.name = exists ? "Set offset of " + node_label(clip.skeleton, node) : "Set offset";
+  edit.offsets.push_back({node, offset_file_units});
+  return edit;
+}
+
+Edit make_settings_edit(const Clip& clip, const ClipSettings& settings) {
+  Edit edit;
+  edit.name = settings_edit_name(clip.settings, settings);
+  edit.settings = settings;
+  return edit;
+}
+
+Edit make_frame_time_edit(double frame_time_s) {
+  Edit edit;
+  edit.name = fmt::format("Set frame time to {} s", frame_time_s);
+  edit.frame_time_s = frame_time_s;
+  return edit;
+}
+
+}  // namespace marey

@@ -1,0 +1,163 @@
+#include "core/editing/edit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <tuple>
+#include <utility>
+
+namespace marey {
+namespace {
+
+template <class T>
+bool same_bits(const T& a, const T& b) {
+  return std::memcmp(&a, &b, sizeof(T)) == 0;
+}
+
+Error refusal(DiagnosticCode code, std::string message) { return Error{code, {}, std::move(message), {}, {}}; }
+
+Status check_samples(const Motion& motion, const SamplesChange& change) {
+  if (change.channel < 0 || change.channel >= motion.channel_count()) {
+    return refusal(DiagnosticCode::InvalidArgument, fmt::format("The clip has no channel {}.", change.channel + 1));
+  }
+  if (change.first < 0 || change.first > motion.frame_count() ||
+      change.values.size() > idx(motion.frame_count() - change.first)) {
+    return refusal(DiagnosticCode::InvalidArgument,
+                   fmt::format("The change reaches beyond the {} frames of the clip.", motion.frame_count()));
+  }
+  const std::span<const double> present = motion.channel_samples(change.channel).subspan(idx(change.first));
+  for (std::size_t i = 0; i < change.values.size(); ++i) {
+    if (!std::isfinite(change.values[i]) && std::isfinite(present[i])) {
+      return refusal(DiagnosticCode::NotFinite,
+                     fmt::format("Frame {} would get a value that is not a finite number.", idx(change.first) + i + 1));
+    }
+  }
+  return {};
+}
+
+Status check_offset(const Skeleton& skeleton, const OffsetChange& change) {
+  if (change.node < 0 || change.node >= skeleton.node_count()) {
+    return refusal(DiagnosticCode::InvalidArgument, fmt::format("The figure has no node {}.", change.node + 1));
+  }
+  const glm::dvec3& offset = change.offset;
+  if (!std::isfinite(offset.x) || !std::isfinite(offset.y) || !std::isfinite(offset.z)) {
+    return refusal(DiagnosticCode::NotFinite, "The offset is not made of finite numbers.");
+  }
+  return {};
+}
+
+bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
+
+Status check_scalars(const Edit& edit) {
+  if (edit.frame_time_s && !is_positive(*edit.frame_time_s)) {
+    return refusal(DiagnosticCode::FrameTimeNotPositive, "The frame time must be more than 0 seconds.");
+  }
+  if (edit.settings && !is_positive(edit.settings->metres_per_unit)) {
+    return refusal(DiagnosticCode::InvalidArgument, "The unit of length must be more than 0 metres.");
+  }
+  return {};
+}
+
+bool have_overlap(const std::vector<SamplesChange>& changes) {
+  std::vector<std::tuple<ChannelIndex, FrameIndex, FrameIndex>> ranges;
+  ranges.reserve(changes.size());
+  for (const SamplesChange& change : changes) {
+    ranges.emplace_back(change.channel, change.first, change.first + size_of(change.values));
+  }
+  std::sort(ranges.begin(), ranges.end());
+  return std::adjacent_find(ranges.begin(), ranges.end(), [](const auto& a, const auto& b) {
+           return std::get<0>(a) == std::get<0>(b) && std::get<1>(b) < std::get<2>(a);
+         }) != ranges.end();
+}
+
+bool have_repeat(const std::vector<OffsetChange>& changes) {
+  std::vector<NodeIndex> nodes;
+  for (const OffsetChange& change : changes) nodes.push_back(change.node);
+  std::sort(nodes.begin(), nodes.end());
+  return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
+}
+
+void cut_to_difference(std::span<const double> present, SamplesChange& change) {
+  const auto differs = [&](std::size_t i) { return !same_bits(present[idx(change.first) + i], change.values[i]); };
+  std::size_t begin = 0;
+  std::size_t end = change.values.size();
+  while (begin < end && !differs(begin)) ++begin;
+  while (end > begin && !differs(end - 1)) --end;
+  change.values.resize(end);
+  change.values.erase(change.values.begin(), change.values.begin() + static_cast<std::ptrdiff_t>(begin));
+  change.first += static_cast<FrameIndex>(begin);
+}
+
+}  // namespace
+
+Status check_edit(const Clip& clip, const Edit& edit) {
+  for (const SamplesChange& change : edit.samples) {
+    if (Status status = check_samples(clip.motion, change); !status) return status;
+  }
+  for (const OffsetChange& change : edit.offsets) {
+    if (Status status = check_offset(clip.skeleton, change); !status) return status;
+  }
+  if (Status status = check_scalars(edit); !status) return status;
+  if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
+    return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
+  }
+  return {};
+}
+
+Edit reduced_to_changes(const Clip& clip, Edit edit) {
+  for (SamplesChange& change : edit.samples) {
+    cut_to_difference(clip.motion.channel_samples(change.channel), change);
+  }
+  std::erase_if(edit.samples, [](const SamplesChange& change) { return change.values.empty(); });
+  std::erase_if(edit.offsets, [&](const OffsetChange& change) {
+    return same_bits(clip.skeleton.node(change.node).offset, change.offset);
+  });
+  if (edit.settings == clip.settings) edit.settings.reset();
+  if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
+  return edit;
+}
+
+void swap_edit(Clip& clip, Edit& edit) {
+  for (SamplesChange& change : edit.samples) {
+    const std::span<double> present = clip.motion.channel_samples(change.channel).subspan(idx(change.first));
+    std::swap_ranges(change.values.begin(), change.values.end(), present.begin());
+  }
+  for (OffsetChange& change : edit.offsets) {
+    const glm::dvec3 present = clip.skeleton.node(change.node).offset;
+    clip.skeleton.set_offset(change.node, change.offset);
+    change.offset = present;
+  }
+  if (edit.settings) std::swap(clip.settings, *edit.settings);
+  if (edit.frame_time_s) {
+    const double present = clip.motion.frame_time_s();
+    clip.motion.set_frame_time_s(*edit.frame_time_s);
+    edit.frame_time_s = present;
+  }
+}
+
+std::size_t edit_bytes(const Edit& edit) {
+  std::size_t bytes = sizeof(Edit) + edit.name.size() + edit.offsets.size() * sizeof(OffsetChange);
+  for (const SamplesChange& change : edit.samples) {
+    bytes += sizeof(SamplesChange) + change.values.size() * sizeof(double);
+  }
+  return bytes;
+}
+
+FrameRange edited_frames(const Clip& clip, const Edit& edit) {
+  const bool moves_rule = edit.settings && edit.settings->position_rule != clip.settings.position_rule;
+  if (moves_rule || !edit.offsets.empty()) return {0, clip.motion.frame_count()};
+  FrameRange frames;
+  for (const SamplesChange& change : edit.samples) frames = hull(frames, {change.first, size_of(change.values)});
+  return frames;
+}
+
+FrameRange hull(FrameRange a, FrameRange b) {
+  if (a.count <= 0) return b;
+  if (b.count <= 0) return a;
+  const FrameIndex first = std::min(a.first, b.first);
+  return {first, std::max(a.end(), b.end()) - first};
+}
+
+}  // namespace marey

@@ -1,0 +1,116 @@
+#include "core/editing/history.h"
+
+#include <utility>
+
+namespace marey {
+
+Status History::apply(Clip& clip, Edit edit) {
+  if (Status status = check_edit(clip, edit); !status) return status;
+  edit = reduced_to_changes(clip, std::move(edit));
+  if (!edit.empty()) push(clip, std::move(edit), 0);
+  return {};
+}
+
+Status History::apply_gesture(Clip& clip, GestureId gesture, const MakeEdit& make_edit) {
+  const bool continues = is_in_gesture(gesture);
+  FrameRange former_frames;
+  if (continues) {
+    former_frames = edited_frames(clip, done_.back().edit);
+    swap_edit(clip, done_.back().edit);
+  }
+  Edit edit = make_edit(clip);
+  if (Status status = check_edit(clip, edit); !status) {
+    if (continues) swap_edit(clip, done_.back().edit);
+    return status;
+  }
+  edit = reduced_to_changes(clip, std::move(edit));
+  if (continues) drop_newest();
+  if (!edit.empty()) {
+    push(clip, std::move(edit), gesture);
+    last_changed_frames_ = hull(former_frames, last_changed_frames_);
+  } else if (continues) {
+    note_change(former_frames);
+  }
+  return {};
+}
+
+void History::cancel_gesture(Clip& clip, GestureId gesture) {
+  if (!is_in_gesture(gesture)) return;
+  const FrameRange frames = edited_frames(clip, done_.back().edit);
+  swap_edit(clip, done_.back().edit);
+  drop_newest();
+  note_change(frames);
+}
+
+bool History::undo(Clip& clip) {
+  if (done_.empty()) return false;
+  Step step = std::move(done_.back());
+  done_.pop_back();
+  step.gesture = 0;
+  forget(undone_before_gesture_);
+  swap_edit(clip, step.edit);
+  note_change(edited_frames(clip, step.edit));
+  undone_.push_back(std::move(step));
+  return true;
+}
+
+bool History::redo(Clip& clip) {
+  if (undone_.empty()) return false;
+  Step step = std::move(undone_.back());
+  undone_.pop_back();
+  swap_edit(clip, step.edit);
+  note_change(edited_frames(clip, step.edit));
+  done_.push_back(std::move(step));
+  return true;
+}
+
+std::string History::undo_name() const { return done_.empty() ? std::string() : done_.back().edit.name; }
+
+std::string History::redo_name() const { return undone_.empty() ? std::string() : undone_.back().edit.name; }
+
+bool History::is_in_gesture(GestureId gesture) const {
+  return gesture != 0 && !done_.empty() && done_.back().gesture == gesture;
+}
+
+void History::push(Clip& clip, Edit edit, GestureId gesture) {
+  forget(undone_before_gesture_);
+  if (gesture != 0) {
+    undone_before_gesture_.swap(undone_);
+  } else {
+    forget(undone_);
+  }
+  if (!done_.empty()) done_.back().gesture = 0;
+  swap_edit(clip, edit);
+  note_change(edited_frames(clip, edit));
+  bytes_ += edit_bytes(edit);
+  done_.push_back({std::move(edit), gesture, next_state_++});
+  trim();
+}
+
+// For a gesture's step, whose edit has been swapped out of the clip: nothing can be redone behind it.
+void History::drop_newest() {
+  bytes_ -= edit_bytes(done_.back().edit);
+  done_.pop_back();
+  undone_.swap(undone_before_gesture_);
+}
+
+void History::forget(std::vector<Step>& steps) {
+  for (const Step& step : steps) bytes_ -= edit_bytes(step.edit);
+  steps.clear();
+}
+
+void History::trim() {
+  if (bytes_ > max_bytes_) forget(undone_before_gesture_);
+  while (bytes_ > max_bytes_ && done_.size() > 1) {
+    bytes_ -= edit_bytes(done_.front().edit);
+    base_state_ = done_.front().state;
+    done_.pop_front();
+  }
+}
+
+void History::note_change(FrameRange frames) {
+  ++revision_;
+  last_changed_frames_ = frames;
+}
+
+}  // namespace marey
