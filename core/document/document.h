@@ -30,6 +30,8 @@ class Document {
 
   /// As in History: an edit that does not fit the clip is refused and changes nothing.
   Status apply(Edit edit);
+  /// A new gesture (one drag); its edits are one step of undo.
+  [[nodiscard]] GestureId begin_gesture() { return ++last_gesture_; }
   Status apply_gesture(GestureId gesture, const History::MakeEdit& make_edit);
   void cancel_gesture(GestureId gesture);
   bool undo();
