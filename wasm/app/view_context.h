@@ -9,6 +9,8 @@
 #include "wasm/app/time_window.h"
 #include "wasm/app/ui_items.h"
 #include "wasm/app/view_options.h"
+#include "wasm/app/widget_state.h"
+#include "wasm/platform/backend.h"
 
 namespace marey::app {
 
@@ -26,6 +28,8 @@ struct ViewContext {
   std::string& status; ///< one line that says what a drag does, or what just happened; shown in the viewport's corner
   double now_s = 0.0;
   bool& redraw;        ///< set to ask for a further frame (animation running)
+  WidgetState& widgets;  ///< memory of the controls in widgets.h; new_gesture() serves every view
+  const SystemPreferences& system;
 };
 
 }  // namespace marey::app

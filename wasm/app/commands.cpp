@@ -1,0 +1,84 @@
+#include "wasm/app/commands.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <cassert>
+#include <utility>
+
+#include "wasm/app/shortcut.h"
+
+namespace marey::app {
+namespace {
+
+// With the focus ring on a control, the plain keys belong to it: Space presses it, arrows move on.
+bool belongs_to_focused_control(ImGuiKeyChord chord) {
+  if ((chord & ImGuiMod_Mask_) != 0) return false;
+  switch (static_cast<ImGuiKey>(chord)) {
+    case ImGuiKey_Space:
+    case ImGuiKey_Enter:
+    case ImGuiKey_LeftArrow:
+    case ImGuiKey_RightArrow:
+    case ImGuiKey_UpArrow:
+    case ImGuiKey_DownArrow:
+    case ImGuiKey_Home:
+    case ImGuiKey_End:
+    case ImGuiKey_PageUp:
+    case ImGuiKey_PageDown:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool is_pressed(const Command& command, bool control_focused) {
+  for (const ImGuiKeyChord chord : parse_shortcuts(command.shortcut)) {
+    if (control_focused && belongs_to_focused_control(chord)) continue;
+    if (is_chord_pressed(chord)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void CommandRegistry::add(Command command) {
+  assert(find(command.id) == nullptr);
+  commands_.push_back(std::move(command));
+}
+
+const Command* CommandRegistry::find(std::string_view id) const {
+  for (const Command& command : commands_) {
+    if (command.id == id) return &command;
+  }
+  return nullptr;
+}
+
+nlohmann::json CommandRegistry::run(std::string_view id, const nlohmann::json& args) {
+  const Command* command = find(id);
+  if (command == nullptr) return {{"error", "There is no command \"" + std::string(id) + "\"."}};
+  if (const std::string reason = blocked_reason(*command); !reason.empty()) return {{"error", reason}};
+  return command->run(args);
+}
+
+std::string CommandRegistry::label_of(const Command& command) {
+  return command.live_label ? command.live_label() : command.label;
+}
+
+std::string CommandRegistry::blocked_reason(const Command& command) {
+  return command.blocked ? command.blocked() : std::string();
+}
+
+std::string CommandRegistry::run_pressed_shortcut() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  if (io.WantTextInput || menu_open) return {};
+  for (const Command& command : commands_) {
+    if (!is_enabled(command) || !is_pressed(command, io.NavVisible)) continue;
+    const std::string id = command.id;
+    command.run(nullptr);
+    return id;
+  }
+  return {};
+}
+
+}  // namespace marey::app
