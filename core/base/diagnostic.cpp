@@ -1,31 +1,47 @@
 #include "core/base/diagnostic.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "core/base/index.h"
 
 namespace marey {
 
-std::string_view severity_name(Severity severity) {
-  switch (severity) {
-    case Severity::Note: return "note";
-    case Severity::Warning: return "warning";
-    case Severity::Error: return "error";
+bool Diagnostics::count_repeat(DiagnosticCode code, std::string_view merge_key) {
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    if (list_[i].code != code || merge_keys_[i] != merge_key) continue;
+    if (list_[i].count < std::numeric_limits<int>::max()) ++list_[i].count;
+    return true;
   }
-  return "error";
+  return false;
 }
 
 void Diagnostics::add(Diagnostic diagnostic, std::string_view merge_key) {
-  for (std::size_t i = 0; i < list_.size(); ++i) {
-    if (list_[i].code == diagnostic.code && merge_keys_[i] == merge_key) {
-      list_[i].count += diagnostic.count;
-      return;
-    }
-  }
+  if (count_repeat(diagnostic.code, merge_key)) return;
   list_.push_back(std::move(diagnostic));
   merge_keys_.emplace_back(merge_key);
 }
 
-bool Diagnostics::contains(DiagnosticCode code) const {
-  return std::any_of(list_.begin(), list_.end(), [code](const Diagnostic& d) { return d.code == code; });
+void Diagnostics::sort_by_place() {
+  std::vector<int> order(list_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [this](int i) {
+    const TextPlace& place = list_[idx(i)].place;
+    return place.line == 0 ? std::pair(std::numeric_limits<int>::max(), 0) : std::pair(place.line, place.column);
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
+  Diagnostics sorted;
+  for (const int i : order) {
+    sorted.list_.push_back(std::move(list_[idx(i)]));
+    sorted.merge_keys_.push_back(std::move(merge_keys_[idx(i)]));
+  }
+  *this = std::move(sorted);
+}
+
+const Diagnostic* Diagnostics::find(DiagnosticCode code) const {
+  const auto found = std::find_if(list_.begin(), list_.end(), [code](const Diagnostic& d) { return d.code == code; });
+  return found == list_.end() ? nullptr : &*found;
 }
 
 int Diagnostics::count(Severity severity) const {

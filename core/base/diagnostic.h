@@ -8,12 +8,6 @@
 
 namespace marey {
 
-/// Note: an assumption worth knowing. Warning: the text was repaired, or other tools would read it differently.
-/// Error: something in the file could not be used.
-enum class Severity { Note, Warning, Error };
-
-[[nodiscard]] std::string_view severity_name(Severity severity);
-
 /// Place in a text: 1-based line and column (in bytes). 0 means that the finding has no place.
 struct TextPlace {
   int line = 0;
@@ -33,16 +27,22 @@ struct Diagnostic {
   int count = 1;
 };
 
-/// Ordered list of findings. Repeats of a code with the same message stem are counted, so a broken file with a million
-/// bad rows yields a handful of entries.
+/// Ordered list of findings. Repeats of a code with the same merge key are counted, so a broken file with a million bad
+/// rows yields a handful of entries.
 class Diagnostics {
  public:
   /// Adds a finding, or counts it if one with the same code and the same `merge_key` exists. An empty key merges by code.
   void add(Diagnostic diagnostic, std::string_view merge_key = {});
+  /// Counts one more of a finding that is in the list already; false if there is none. Cheap: nothing is formatted.
+  bool count_repeat(DiagnosticCode code, std::string_view merge_key = {});
+  /// Orders the list by place; findings without a place come last.
+  void sort_by_place();
 
   [[nodiscard]] const std::vector<Diagnostic>& list() const { return list_; }
   [[nodiscard]] bool empty() const { return list_.empty(); }
-  [[nodiscard]] bool contains(DiagnosticCode code) const;
+  [[nodiscard]] bool contains(DiagnosticCode code) const { return find(code) != nullptr; }
+  /// The first finding with this code, or null.
+  [[nodiscard]] const Diagnostic* find(DiagnosticCode code) const;
   [[nodiscard]] int count(Severity severity) const;
 
  private:

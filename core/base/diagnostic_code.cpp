@@ -1,73 +1,103 @@
 #include "core/base/diagnostic_code.h"
 
-namespace marey {
+#include <array>
+#include <cstddef>
 
-std::string_view diagnostic_id(DiagnosticCode code) {
-  switch (code) {
-    case DiagnosticCode::UnexpectedToken: return "unexpected_token";
-    case DiagnosticCode::UnexpectedEnd: return "unexpected_end";
-    case DiagnosticCode::NotBvh: return "not_bvh";
-    case DiagnosticCode::EmptyFile: return "empty_file";
-    case DiagnosticCode::UnsupportedEncoding: return "unsupported_encoding";
-    case DiagnosticCode::ByteOrderMark: return "byte_order_mark";
-    case DiagnosticCode::TextAfterHierarchyEnd: return "text_after_hierarchy_end";
-    case DiagnosticCode::MissingHierarchyKeyword: return "missing_hierarchy_keyword";
-    case DiagnosticCode::MissingRoot: return "missing_root";
-    case DiagnosticCode::MissingOpeningBrace: return "missing_opening_brace";
-    case DiagnosticCode::MissingClosingBrace: return "missing_closing_brace";
-    case DiagnosticCode::SurplusClosingBrace: return "surplus_closing_brace";
-    case DiagnosticCode::JoinedTree: return "joined_tree";
-    case DiagnosticCode::JointWithoutBlock: return "joint_without_block";
-    case DiagnosticCode::MissingName: return "missing_name";
-    case DiagnosticCode::DuplicateName: return "duplicate_name";
-    case DiagnosticCode::KeywordCase: return "keyword_case";
-    case DiagnosticCode::ChannelCase: return "channel_case";
-    case DiagnosticCode::UnknownChannel: return "unknown_channel";
-    case DiagnosticCode::ChannelCountMismatch: return "channel_count_mismatch";
-    case DiagnosticCode::RepeatedChannel: return "repeated_channel";
-    case DiagnosticCode::RepeatedChannelsLine: return "repeated_channels_line";
-    case DiagnosticCode::RepeatedOffset: return "repeated_offset";
-    case DiagnosticCode::MissingOffset: return "missing_offset";
-    case DiagnosticCode::MissingChannels: return "missing_channels";
-    case DiagnosticCode::OffsetValueCount: return "offset_value_count";
-    case DiagnosticCode::OffsetBracketed: return "offset_bracketed";
-    case DiagnosticCode::LeafWithoutEndSite: return "leaf_without_end_site";
-    case DiagnosticCode::EndSiteBesideChildren: return "end_site_beside_children";
-    case DiagnosticCode::SeveralEndSites: return "several_end_sites";
-    case DiagnosticCode::NamedEndSite: return "named_end_site";
-    case DiagnosticCode::SeveralRoots: return "several_roots";
-    case DiagnosticCode::ZeroLengthBone: return "zero_length_bone";
-    case DiagnosticCode::MissingMotion: return "missing_motion";
-    case DiagnosticCode::MissingFrameCount: return "missing_frame_count";
-    case DiagnosticCode::MissingFrameTime: return "missing_frame_time";
-    case DiagnosticCode::FrameCountMismatch: return "frame_count_mismatch";
-    case DiagnosticCode::PartialFrame: return "partial_frame";
-    case DiagnosticCode::RowLength: return "row_length";
-    case DiagnosticCode::SurplusValues: return "surplus_values";
-    case DiagnosticCode::BadNumber: return "bad_number";
-    case DiagnosticCode::NumbersRunTogether: return "numbers_run_together";
-    case DiagnosticCode::DecimalComma: return "decimal_comma";
-    case DiagnosticCode::NotFinite: return "not_finite";
-    case DiagnosticCode::NumberRange: return "number_range";
-    case DiagnosticCode::FrameTimeNotPositive: return "frame_time_not_positive";
-    case DiagnosticCode::FrameTimeLooksLikeRate: return "frame_time_looks_like_rate";
-    case DiagnosticCode::Comment: return "comment";
-    case DiagnosticCode::TextAfterMotion: return "text_after_motion";
-    case DiagnosticCode::TrailingNul: return "trailing_nul";
-    case DiagnosticCode::PositionsReplaceOffset: return "positions_replace_offset";
-    case DiagnosticCode::PositionsAddToOffset: return "positions_add_to_offset";
-    case DiagnosticCode::PositionsAmbiguous: return "positions_ambiguous";
-    case DiagnosticCode::LimitJoints: return "limit_joints";
-    case DiagnosticCode::LimitDepth: return "limit_depth";
-    case DiagnosticCode::LimitFrames: return "limit_frames";
-    case DiagnosticCode::LimitMemory: return "limit_memory";
-    case DiagnosticCode::LimitChannels: return "limit_channels";
-    case DiagnosticCode::InvalidSkeleton: return "invalid_skeleton";
-    case DiagnosticCode::InvalidArgument: return "invalid_argument";
-    case DiagnosticCode::NothingSelected: return "nothing_selected";
-    case DiagnosticCode::NoFrames: return "no_frames";
+namespace marey {
+namespace {
+
+using Code = DiagnosticCode;
+
+constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
+    {Code::UnexpectedToken, "unexpected_token", Severity::Warning, true},
+    {Code::UnexpectedEnd, "unexpected_end", Severity::Error, true},
+    {Code::NotBvh, "not_bvh", Severity::Error, true},
+    {Code::EmptyFile, "empty_file", Severity::Error, true},
+    {Code::UnsupportedEncoding, "unsupported_encoding", Severity::Error, true},
+    {Code::Utf16Text, "utf16_text", Severity::Note, true},
+    {Code::ByteOrderMark, "byte_order_mark", Severity::Note, true},
+    {Code::TextAfterHierarchyEnd, "text_after_hierarchy_end", Severity::Warning, true},
+    {Code::MissingHierarchyKeyword, "missing_hierarchy_keyword", Severity::Warning, true},
+    {Code::MissingRoot, "missing_root", Severity::Error, true},
+    {Code::JointOutsideRoot, "joint_outside_root", Severity::Warning, true},
+    {Code::MissingOpeningBrace, "missing_opening_brace", Severity::Warning, true},
+    {Code::MissingClosingBrace, "missing_closing_brace", Severity::Warning, true},
+    {Code::SurplusClosingBrace, "surplus_closing_brace", Severity::Warning, true},
+    {Code::JoinedTree, "joined_tree", Severity::Warning, true},
+    {Code::JointWithoutBlock, "joint_without_block", Severity::Warning, true},
+    {Code::MissingName, "missing_name", Severity::Warning, true},
+    {Code::DuplicateName, "duplicate_name", Severity::Note, false},
+    {Code::KeywordCase, "keyword_case", Severity::Warning, true},
+    {Code::ChannelCase, "channel_case", Severity::Warning, true},
+    {Code::UnknownChannel, "unknown_channel", Severity::Warning, true},
+    {Code::ChannelCountMismatch, "channel_count_mismatch", Severity::Warning, true},
+    {Code::RepeatedChannel, "repeated_channel", Severity::Note, false},
+    {Code::RepeatedChannelsLine, "repeated_channels_line", Severity::Warning, true},
+    {Code::RepeatedOffset, "repeated_offset", Severity::Warning, true},
+    {Code::MissingOffset, "missing_offset", Severity::Warning, true},
+    {Code::MissingChannels, "missing_channels", Severity::Note, false},
+    {Code::OffsetValueCount, "offset_value_count", Severity::Warning, true},
+    {Code::OffsetBracketed, "offset_bracketed", Severity::Warning, true},
+    {Code::LeafWithoutEndSite, "leaf_without_end_site", Severity::Note, true},
+    {Code::EndSiteBesideChildren, "end_site_beside_children", Severity::Note, true},
+    {Code::EndSiteWithChannels, "end_site_with_channels", Severity::Warning, true},
+    {Code::SeveralEndSites, "several_end_sites", Severity::Note, true},
+    {Code::NamedEndSite, "named_end_site", Severity::Note, true},
+    {Code::SeveralRoots, "several_roots", Severity::Note, false},
+    {Code::ZeroLengthBone, "zero_length_bone", Severity::Note, false},
+    {Code::MissingMotion, "missing_motion", Severity::Warning, true},
+    {Code::MissingFrameCount, "missing_frame_count", Severity::Warning, true},
+    {Code::MissingFrameTime, "missing_frame_time", Severity::Warning, true},
+    {Code::FrameCountMismatch, "frame_count_mismatch", Severity::Warning, true},
+    {Code::PartialFrame, "partial_frame", Severity::Error, true},
+    {Code::RowLength, "row_length", Severity::Warning, true},
+    {Code::SurplusValues, "surplus_values", Severity::Warning, true},
+    {Code::BadNumber, "bad_number", Severity::Error, true},
+    {Code::NumbersRunTogether, "numbers_run_together", Severity::Warning, true},
+    {Code::DecimalComma, "decimal_comma", Severity::Warning, true},
+    {Code::CommaBetweenNumbers, "comma_between_numbers", Severity::Warning, true},
+    {Code::NotFinite, "not_finite", Severity::Error, true},
+    {Code::NumberRange, "number_range", Severity::Warning, true},
+    {Code::FrameTimeNotPositive, "frame_time_not_positive", Severity::Warning, true},
+    {Code::FrameTimeLooksLikeRate, "frame_time_looks_like_rate", Severity::Warning, false},
+    {Code::Comment, "comment", Severity::Note, true},
+    {Code::TextAfterMotion, "text_after_motion", Severity::Warning, true},
+    {Code::TrailingNul, "trailing_nul", Severity::Warning, true},
+    {Code::PositionsReplaceOffset, "positions_replace_offset", Severity::Note, false},
+    {Code::PositionsAddToOffset, "positions_add_to_offset", Severity::Note, false},
+    {Code::PositionsAmbiguous, "positions_ambiguous", Severity::Warning, false},
+    {Code::LimitJoints, "limit_joints", Severity::Error, true},
+    {Code::LimitDepth, "limit_depth", Severity::Error, true},
+    {Code::LimitFrames, "limit_frames", Severity::Error, true},
+    {Code::LimitMemory, "limit_memory", Severity::Error, true},
+    {Code::LimitChannels, "limit_channels", Severity::Error, true},
+    {Code::InvalidSkeleton, "invalid_skeleton", Severity::Error, true},
+    {Code::InvalidArgument, "invalid_argument", Severity::Error, true},
+    {Code::NothingSelected, "nothing_selected", Severity::Error, true},
+    {Code::NoFrames, "no_frames", Severity::Error, true},
+}};
+
+constexpr bool rows_follow_the_enum() {
+  for (std::size_t i = 0; i < kTraits.size(); ++i) {
+    if (kTraits[i].code != static_cast<Code>(i) || kTraits[i].id.empty()) return false;
   }
-  return "unknown";
+  return true;
 }
+static_assert(rows_follow_the_enum());
+
+}  // namespace
+
+std::string_view severity_name(Severity severity) {
+  switch (severity) {
+    case Severity::Note: return "note";
+    case Severity::Warning: return "warning";
+    case Severity::Error: return "error";
+  }
+  return "error";
+}
+
+const DiagnosticTraits& traits_of(DiagnosticCode code) { return kTraits[static_cast<std::size_t>(code)]; }
+
+std::string_view diagnostic_id(DiagnosticCode code) { return traits_of(code).id; }
 
 }  // namespace marey

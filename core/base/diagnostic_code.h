@@ -4,6 +4,13 @@
 
 namespace marey {
 
+/// Note: an assumption worth knowing. Warning: the text was repaired, or other tools would read it differently.
+/// Error: something in the file could not be used.
+enum class Severity { Note, Warning, Error };
+
+/// "note", "warning", "error".
+[[nodiscard]] std::string_view severity_name(Severity severity);
+
 /// Every finding and refusal that core can report. `docs/diagnostics.md` explains each.
 enum class DiagnosticCode {
   UnexpectedToken,
@@ -11,10 +18,12 @@ enum class DiagnosticCode {
   NotBvh,
   EmptyFile,
   UnsupportedEncoding,
+  Utf16Text,
   ByteOrderMark,
   TextAfterHierarchyEnd,
   MissingHierarchyKeyword,
   MissingRoot,
+  JointOutsideRoot,
   MissingOpeningBrace,
   MissingClosingBrace,
   SurplusClosingBrace,
@@ -35,6 +44,7 @@ enum class DiagnosticCode {
   OffsetBracketed,
   LeafWithoutEndSite,
   EndSiteBesideChildren,
+  EndSiteWithChannels,
   SeveralEndSites,
   NamedEndSite,
   SeveralRoots,
@@ -49,6 +59,7 @@ enum class DiagnosticCode {
   BadNumber,
   NumbersRunTogether,
   DecimalComma,
+  CommaBetweenNumbers,
   NotFinite,
   NumberRange,
   FrameTimeNotPositive,
@@ -70,7 +81,19 @@ enum class DiagnosticCode {
   NoFrames,
 };
 
-/// Stable identifier for programs, e.g. "offset_value_count"; it never changes its meaning.
+inline constexpr int kDiagnosticCodeCount = static_cast<int>(DiagnosticCode::NoFrames) + 1;
+
+/// What is fixed about a code.
+struct DiagnosticTraits {
+  DiagnosticCode code{};
+  std::string_view id;  ///< for programs, e.g. "offset_value_count"; it never changes its meaning
+  Severity severity = Severity::Error;
+  bool refused_when_strict = true;  ///< a strict reader refuses the file instead of reporting this
+};
+
+[[nodiscard]] const DiagnosticTraits& traits_of(DiagnosticCode code);
+
+/// Shorthand for `traits_of(code).id`.
 [[nodiscard]] std::string_view diagnostic_id(DiagnosticCode code);
 
 }  // namespace marey
