@@ -16,7 +16,6 @@ export function setUpNative() {
 export function setUpBench() {
   needNode();
   needSystemPackages(["native", "bench"]);
-  needNpmPackages();
 }
 
 export async function setUpPage() {
