@@ -15,19 +15,19 @@ struct Command {
   std::string id;        ///< "edit.undo": stable, part of the page's API
   std::string label;     ///< "Undo": sentence case, no full stop; "…" at the end when it opens a dialog
   std::string help;      ///< one sentence for the tool tip
-  std::string shortcut;  ///< "Ctrl+Z", "Space", "Shift+F"; "" for none. Several: "Ctrl+Y, Ctrl+Shift+Z"
+  std::string shortcut{};  ///< "Ctrl+Z", "Space", "Shift+F"; "" for none. Several: "Ctrl+Y, Ctrl+Shift+Z"
   const char* icon = nullptr;  ///< a glyph of the icon font (wasm/app/icons.h); nullptr for none
 
   /// Runs it. `args` is null when it comes from a menu, button or shortcut. Returns what the JavaScript caller gets;
   /// an object {"error": sentence} when the arguments are wrong.
-  std::function<nlohmann::json(const nlohmann::json& args)> run;
+  std::function<nlohmann::json(const nlohmann::json& args)> run{};
 
   /// Why it cannot run now, as a short sentence; "" when it can. Not set: always possible.
-  std::function<std::string()> blocked;
+  std::function<std::string()> blocked{};
   /// For toggles: whether it is on, shown as a check mark. Not set: no toggle.
-  std::function<bool()> checked;
+  std::function<bool()> checked{};
   /// A label that depends on the state ("Undo move 12 samples"); not set: `label`.
-  std::function<std::string()> live_label;
+  std::function<std::string()> live_label{};
   bool in_palette = true;
 };
 

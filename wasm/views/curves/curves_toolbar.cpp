@@ -1,0 +1,111 @@
+#include "wasm/views/curves/curves_toolbar.h"
+
+#include <fmt/format.h>
+
+#include <functional>
+
+#include "core/editing/curve_operations.h"
+#include "wasm/app/widgets.h"
+
+namespace marey::app {
+namespace {
+
+using MakeEdit = std::function<Edit(const Clip&)>;
+
+// One drag of a field is one step of undo; typing is a step of its own.
+void apply(ViewContext& context, const ui::NumberResult& result, const MakeEdit& make_edit) {
+  Session& session = context.session;
+  Status status;
+  switch (result.event) {
+    case ui::NumberEvent::Live:
+    case ui::NumberEvent::Committed: status = session.apply_gesture(result.gesture, make_edit); break;
+    case ui::NumberEvent::Cancelled: session.cancel_gesture(result.gesture); break;
+    case ui::NumberEvent::None: break;
+  }
+  if (!status) context.status = status.error().message;
+}
+
+bool has_selection(const ViewContext& context) { return !context.session.selection.samples().empty(); }
+
+const char* selection_unit(const ViewContext& context) {
+  const Skeleton& skeleton = context.session.document.skeleton();
+  const char* unit = nullptr;
+  for (const ChannelIndex channel : context.session.selection.samples().channels()) {
+    const char* own = unit_of(skeleton.channel(channel).kind);
+    if (unit != nullptr && std::string_view(unit) != own) return "";
+    unit = own;
+  }
+  return unit == nullptr ? "" : unit;
+}
+
+void separator(ViewContext& context) {
+  ImGui::SameLine(0.0f, 10.0f);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 6.0f}, {at.x, at.y + 22.0f}, context.theme.line);
+  ImGui::Dummy({1.0f, 28.0f});
+  ImGui::SameLine(0.0f, 10.0f);
+}
+
+}  // namespace
+
+void CurvesToolbar::draw_value(ViewContext& context) {
+  const SampleSelection selection = context.session.selection.samples();
+  const double mean = compute_selection_mean(context.session.document.clip(), selection);
+  const auto result = ui::number_field(context, "curves.value", "Value", mean,
+                                       {.unit = selection_unit(context), .decimals = 3, .step = 0.1, .width = 104.0f});
+  apply(context, result,
+        [&](const Clip& clip) { return make_value_edit(clip, selection, result.value); });
+}
+
+void CurvesToolbar::draw_offset(ViewContext& context) {
+  const SampleSelection selection = context.session.selection.samples();
+  const auto result = ui::number_field(context, "curves.offset", "Offset", offset_,
+                                       {.unit = selection_unit(context), .decimals = 2, .step = 0.1, .width = 92.0f});
+  apply(context, result, [&](const Clip& clip) { return make_move_edit(clip, selection, result.value, {}); });
+  offset_ = result.event == ui::NumberEvent::Live ? result.value : 0.0;
+}
+
+void CurvesToolbar::draw_scale(ViewContext& context) {
+  const SampleSelection selection = context.session.selection.samples();
+  const auto result =
+      ui::number_field(context, "curves.scale", "Scale", scale_, {.unit = "×", .decimals = 2, .step = 0.01, .width = 80.0f});
+  apply(context, result, [&](const Clip& clip) {
+    return make_scale_edit(clip, selection, result.value, compute_selection_mean(clip, selection));
+  });
+  scale_ = result.event == ui::NumberEvent::Live ? result.value : 1.0;
+}
+
+void CurvesToolbar::draw_smooth(ViewContext& context) {
+  const auto sigma = ui::number_field(
+      context, "curves.sigma", "Width", static_cast<double>(context.options.smooth_sigma_frames),
+      {.unit = "frames", .decimals = 1, .step = 0.05, .low = 0.1, .high = 200.0, .width = 104.0f});
+  if (sigma.event != ui::NumberEvent::None) context.options.smooth_sigma_frames = static_cast<float>(sigma.value);
+  ImGui::SameLine(0.0f, 4.0f);
+  ui::command_button(context, "curve.smooth", ui::ButtonLook::Raised, true);
+}
+
+void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
+  ui::command_button(context, "curve.fit");
+  ImGui::SameLine(0.0f, 2.0f);
+  ui::command_button(context, "curve.fit_selection");
+  separator(context);
+  const auto falloff = ui::number_field(
+      context, "curves.falloff", "Falloff", static_cast<double>(context.options.falloff_radius_frames),
+      {.unit = "frames", .decimals = 0, .step = 0.1, .low = 0.0, .high = 1000.0, .width = 104.0f});
+  if (falloff.event != ui::NumberEvent::None) context.options.falloff_radius_frames = static_cast<float>(falloff.value);
+  if (!has_selection(context)) {
+    separator(context);
+    ui::dim_text(context, "Select samples to edit them");
+    return;
+  }
+  separator(context);
+  draw_value(context);
+  ImGui::SameLine(0.0f, 8.0f);
+  draw_offset(context);
+  ImGui::SameLine(0.0f, 8.0f);
+  draw_scale(context);
+  separator(context);
+  draw_smooth(context);
+}
+
+}  // namespace marey::app

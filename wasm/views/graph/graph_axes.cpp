@@ -1,0 +1,64 @@
+#include "wasm/views/graph/graph_axes.h"
+
+#include <cmath>
+#include <string>
+
+#include "wasm/views/graph/ticks.h"
+
+namespace marey::app {
+namespace {
+
+constexpr float kValueSpacing = 36.0f;
+constexpr float kFrameSpacing = 72.0f;
+constexpr float kLabelGap = 6.0f;
+
+Ticks value_ticks(const ValueAxis& axis) {
+  return make_ticks(axis.low, axis.high, axis.values_per_unit() * static_cast<double>(kValueSpacing));
+}
+
+}  // namespace
+
+Ticks frame_ticks(const TimeWindow& time) {
+  // People count frames from 1, so the round numbers are those of frame + 1.
+  const double least_step = time.frames_per_unit() * static_cast<double>(kFrameSpacing);
+  return make_ticks(time.first + 1.0, time.last + 1.0, least_step, true);
+}
+
+void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme) {
+  const Ticks ticks = value_ticks(axis);
+  for (int i = 0; i < ticks.count; ++i) {
+    const double value = ticks.at(i);
+    const bool zero = std::abs(value) < 0.5 * ticks.step;
+    const float y = std::round(axis.y_of(value));
+    list.AddLine({area.min.x, y}, {area.max.x, y}, with_alpha(theme.line, zero ? 1.0f : 0.5f), 1.0f);
+  }
+}
+
+void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, AxisSide side,
+                       std::string_view unit, const Theme& theme, const Fonts& fonts) {
+  const Ticks ticks = value_ticks(axis);
+  const float size = Fonts::kSmallSize;
+  const auto place = [&](const std::string& text, float y) {
+    const float width = fonts.mono->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str()).x;
+    const float x = side == AxisSide::Left ? area.min.x - kLabelGap - width : area.max.x + kLabelGap;
+    list.AddText(fonts.mono, size, {std::round(x), std::round(y)}, theme.dim_text, text.c_str());
+  };
+  const float first_free_y = area.min.y + 1.5f * size;
+  place(std::string(unit), area.min.y + 1.0f);
+  for (int i = 0; i < ticks.count; ++i) {
+    const float y = axis.y_of(ticks.at(i)) - 0.5f * size - 1.0f;
+    if (y < first_free_y || y > area.max.y - size) continue;
+    place(tick_label(ticks.at(i), ticks.decimals), y);
+  }
+}
+
+void draw_frame_grid(ImDrawList& list, const GraphArea& area, const TimeWindow& time, const Theme& theme) {
+  const Ticks ticks = frame_ticks(time);
+  for (int i = 0; i < ticks.count; ++i) {
+    const float x = std::round(time.x_of(ticks.at(i) - 1.0));
+    if (x < area.min.x || x > area.max.x) continue;
+    list.AddLine({x, area.min.y}, {x, area.max.y}, with_alpha(theme.line, 0.5f), 1.0f);
+  }
+}
+
+}  // namespace marey::app

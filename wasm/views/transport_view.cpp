@@ -1,0 +1,87 @@
+#include "wasm/views/transport_view.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
+#include "wasm/app/widgets.h"
+
+namespace marey::app {
+namespace {
+
+constexpr std::array<double, 7> kSpeeds = {0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0};
+
+std::string speed_label(double speed) { return fmt::format("{:g}×", speed); }
+
+std::string rate_label(double frame_time_s) { return fmt::format("{:.4g} fps", display_frame_rate_hz(frame_time_s)); }
+
+void mono_text(ViewContext& context, const std::string& text, ImU32 color) {
+  ImGui::AlignTextToFramePadding();
+  ImGui::PushFont(context.fonts.mono, Fonts::kTextSize);
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopStyleColor();
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+void TransportView::draw_buttons(ViewContext& context) {
+  for (const char* id : {"play.first", "play.previous", "play.toggle", "play.next", "play.last"}) {
+    const bool primary = std::string_view(id) == "play.toggle";
+    ui::command_button(context, id, primary ? ui::ButtonLook::Raised : ui::ButtonLook::Plain);
+    ImGui::SameLine(0.0f, 2.0f);
+  }
+  ImGui::SameLine(0.0f, 10.0f);
+  ui::command_button(context, "play.loop");
+}
+
+void TransportView::draw_speed(ViewContext& context) {
+  Playback& playback = context.session.playback;
+  ImGui::SetNextItemWidth(72.0f);
+  if (ImGui::BeginCombo("##play.speed", speed_label(playback.speed()).c_str())) {
+    for (const double speed : kSpeeds) {
+      if (ImGui::Selectable(speed_label(speed).c_str(), speed == playback.speed())) playback.set_speed(speed);
+      context.items.add_last(fmt::format("play.speed.{:g}", speed), speed_label(speed));
+    }
+    ImGui::EndCombo();
+  }
+  context.items.add_last("play.speed", "Speed");
+  ui::tool_tip(context, "Speed", "How fast the clip plays. Below 1× poses are interpolated between frames.");
+}
+
+void TransportView::draw_position(ViewContext& context) {
+  Playback& playback = context.session.playback;
+  const Motion& motion = context.session.document.motion();
+  const int count = motion.frame_count();
+  const auto result = ui::number_field(
+      context, "play.frame", "Frame", playback.frame() + 1,
+      {.unit = "", .decimals = 0, .step = 0.25, .low = 1.0, .high = static_cast<double>(count > 0 ? count : 1), .width = 84.0f});
+  if (result.event == ui::NumberEvent::Live || result.event == ui::NumberEvent::Committed) {
+    playback.set_position(result.value - 1.0);
+  }
+  ImGui::SameLine(0.0f, 6.0f);
+  mono_text(context, fmt::format("/ {}", count), context.theme.dim_text);
+  ImGui::SameLine(0.0f, 16.0f);
+  mono_text(context, fmt::format("{:.3f} s", playback.position() * motion.frame_time_s()), context.theme.text);
+  if (context.options.compact) return;
+  ImGui::SameLine(0.0f, 6.0f);
+  mono_text(context, fmt::format("/ {:.3f} s", motion.duration_s()), context.theme.dim_text);
+  ImGui::SameLine(0.0f, 16.0f);
+  mono_text(context, rate_label(motion.frame_time_s()), context.theme.dim_text);
+}
+
+void TransportView::draw(ViewContext& context) {
+  const ImVec2 corner = ImGui::GetCursorPos();
+  ImGui::SetCursorPos({corner.x + 8.0f, corner.y + 6.0f});
+  draw_buttons(context);
+  if (!context.options.compact) {
+    ImGui::SameLine(0.0f, 8.0f);
+    draw_speed(context);
+  }
+  ImGui::SameLine(0.0f, 16.0f);
+  draw_position(context);
+}
+
+}  // namespace marey::app
