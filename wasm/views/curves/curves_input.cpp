@@ -74,7 +74,7 @@ void zoom(ViewContext& context, CurvesState& state) {
 void move_samples(ViewContext& context, CurvesState& state) {
   CurveDrag& drag = state.drag;
   Session& session = context.session;
-  if (drag.gesture == 0) drag.gesture = session.document.begin_gesture();
+  if (drag.gesture == 0) drag.gesture = context.widgets.new_gesture();
   const ValueAxis& axis = state.axis_of(session.document.skeleton(), drag.grabbed.channel);
   const double delta = axis.value_at(io().MousePos.y) - axis.value_at(drag.start.y);
   const SampleSelection moved = selected_samples_like(session, drag.grabbed.channel);

@@ -2,28 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-
 #include "core/editing/curve_operations.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/number_edit.h"
 
 namespace marey::app {
 namespace {
-
-using MakeEdit = std::function<Edit(const Clip&)>;
-
-// One drag of a field is one step of undo; typing is a step of its own.
-void apply(ViewContext& context, const ui::NumberResult& result, const MakeEdit& make_edit) {
-  Session& session = context.session;
-  Status status;
-  switch (result.event) {
-    case ui::NumberEvent::Live:
-    case ui::NumberEvent::Committed: status = session.apply_gesture(result.gesture, make_edit); break;
-    case ui::NumberEvent::Cancelled: session.cancel_gesture(result.gesture); break;
-    case ui::NumberEvent::None: break;
-  }
-  if (!status) context.status = status.error().message;
-}
 
 bool has_selection(const ViewContext& context) { return !context.session.selection.samples().empty(); }
 
@@ -53,7 +37,7 @@ void CurvesToolbar::draw_value(ViewContext& context) {
   const double mean = compute_selection_mean(context.session.document.clip(), selection);
   const auto result = ui::number_field(context, "curves.value", "Value", mean,
                                        {.unit = selection_unit(context), .decimals = 3, .step = 0.1, .width = 104.0f});
-  apply(context, result,
+  apply_number(context, result,
         [&](const Clip& clip) { return make_value_edit(clip, selection, result.value); });
 }
 
@@ -61,7 +45,7 @@ void CurvesToolbar::draw_offset(ViewContext& context) {
   const SampleSelection selection = context.session.selection.samples();
   const auto result = ui::number_field(context, "curves.offset", "Offset", offset_,
                                        {.unit = selection_unit(context), .decimals = 2, .step = 0.1, .width = 92.0f});
-  apply(context, result, [&](const Clip& clip) { return make_move_edit(clip, selection, result.value, {}); });
+  apply_number(context, result, [&](const Clip& clip) { return make_move_edit(clip, selection, result.value, {}); });
   offset_ = result.event == ui::NumberEvent::Live ? result.value : 0.0;
 }
 
@@ -69,7 +53,7 @@ void CurvesToolbar::draw_scale(ViewContext& context) {
   const SampleSelection selection = context.session.selection.samples();
   const auto result =
       ui::number_field(context, "curves.scale", "Scale", scale_, {.unit = "×", .decimals = 2, .step = 0.01, .width = 80.0f});
-  apply(context, result, [&](const Clip& clip) {
+  apply_number(context, result, [&](const Clip& clip) {
     return make_scale_edit(clip, selection, result.value, compute_selection_mean(clip, selection));
   });
   scale_ = result.event == ui::NumberEvent::Live ? result.value : 1.0;

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "wasm/app/view_context.h"
+
+namespace marey::app {
+
+/// The clip in numbers, and what Marey assumed of it: frame time, up axis, unit of length, meaning of positions. All
+/// assumptions can be changed and undone.
+void draw_clip_page(ViewContext& context);
+
+}  // namespace marey::app

@@ -1,0 +1,65 @@
+#include "wasm/views/inspector_view.h"
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "wasm/app/widgets.h"
+#include "wasm/views/inspector/clip_page.h"
+
+namespace marey::app {
+namespace {
+
+constexpr float kTabHeight = 36.0f;
+constexpr float kTabPadding = 10.0f;
+
+int problem_count(const Diagnostics& diagnostics) {
+  return diagnostics.count(Severity::Warning) + diagnostics.count(Severity::Error);
+}
+
+}  // namespace
+
+void InspectorView::draw_tab(ViewContext& context, Page page, const char* id, const std::string& label) {
+  const bool active = page == page_;
+  ImGui::PushFont(context.fonts.semibold, Fonts::kTextSize);
+  const ImVec2 text = ImGui::CalcTextSize(label.c_str());
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const ImVec2 max{min.x + text.x + 2.0f * kTabPadding, min.y + kTabHeight};
+  if (ImGui::InvisibleButton(id, {max.x - min.x, kTabHeight})) page_ = page;
+  context.items.add_last(id, label);
+  const ImU32 color = active || ImGui::IsItemHovered() ? context.theme.text : context.theme.dim_text;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddText({min.x + kTabPadding, min.y + 0.5f * (kTabHeight - text.y)}, color, label.c_str());
+  if (active) {
+    list.AddRectFilled({min.x + kTabPadding, max.y - 2.0f}, {max.x - kTabPadding, max.y}, context.theme.accent, 1.0f);
+  }
+  ImGui::PopFont();
+}
+
+void InspectorView::draw_tabs(ViewContext& context) {
+  const int problems = problem_count(context.session.document.diagnostics());
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 2.0f);
+  draw_tab(context, Page::Joint, "inspector.tab.joint", "Joint");
+  ImGui::SameLine(0.0f, 0.0f);
+  draw_tab(context, Page::Clip, "inspector.tab.clip", "Clip");
+  ImGui::SameLine(0.0f, 0.0f);
+  draw_tab(context, Page::Problems, "inspector.tab.problems",
+           problems > 0 ? fmt::format("Problems ({})", problems) : std::string("Problems"));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y}, context.theme.line);
+}
+
+void InspectorView::draw(ViewContext& context) {
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
+  draw_tabs(context);
+  ImGui::BeginChild("inspector.page", {0.0f, 0.0f});
+  switch (page_) {
+    case Page::Joint: joint_page_.draw(context); break;
+    case Page::Clip: draw_clip_page(context); break;
+    case Page::Problems: problems_.draw(context); break;
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
+}
+
+}  // namespace marey::app

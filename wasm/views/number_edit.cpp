@@ -1,0 +1,18 @@
+#include "wasm/views/number_edit.h"
+
+namespace marey::app {
+
+void apply_number(ViewContext& context, const ui::NumberResult& result,
+                  const std::function<Edit(const Clip&)>& make_edit) {
+  Session& session = context.session;
+  Status status;
+  switch (result.event) {
+    case ui::NumberEvent::Live:
+    case ui::NumberEvent::Committed: status = session.apply_gesture(result.gesture, make_edit); break;
+    case ui::NumberEvent::Cancelled: session.cancel_gesture(result.gesture); break;
+    case ui::NumberEvent::None: break;
+  }
+  if (!status) context.status = status.error().message;
+}
+
+}  // namespace marey::app
