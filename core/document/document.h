@@ -30,8 +30,7 @@ class Document {
 
   /// As in History: an edit that does not fit the clip is refused and changes nothing.
   Status apply(Edit edit);
-  /// A new gesture (one drag); its edits are one step of undo.
-  [[nodiscard]] GestureId begin_gesture() { return ++last_gesture_; }
+  /// One state of a gesture (one drag): as in History. The caller gives each gesture an id of its own.
   Status apply_gesture(GestureId gesture, const History::MakeEdit& make_edit);
   void cancel_gesture(GestureId gesture);
   bool undo();
@@ -58,7 +57,6 @@ class Document {
   Diagnostics diagnostics_;
   std::string file_name_;
   History history_;
-  GestureId last_gesture_ = 0;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
 };
 
