@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "wasm/app/time_window.h"
+#include "wasm/views/graph/curve_shape.h"
+#include "wasm/views/graph/ticks.h"
+#include "wasm/views/graph/value_axis.h"
+
+namespace marey::app {
+namespace {
+
+TimeWindow window_over(double first, double last, float width = 1000.0f) {
+  TimeWindow time;
+  time.first = first;
+  time.last = last;
+  time.left = 100.0f;
+  time.right = 100.0f + width;
+  return time;
+}
+
+ValueAxis axis_over(double low, double high) {
+  ValueAxis axis;
+  axis.low = low;
+  axis.high = high;
+  axis.top = 0.0f;
+  axis.bottom = 200.0f;
+  return axis;
+}
+
+TEST(Ticks, AreRoundAndWithinTheRange) {
+  for (const double height : {1e-5, 0.37, 1.0, 42.0, 720.0, 3e6}) {
+    const Ticks ticks = make_ticks(-0.4 * height, 0.6 * height, height / 9.0);
+    ASSERT_GE(ticks.count, 3) << height;
+    const double decade = std::pow(10.0, std::floor(std::log10(ticks.step) + 1e-9));
+    const double factor = ticks.step / decade;
+    EXPECT_TRUE(std::abs(factor - 1.0) < 1e-9 || std::abs(factor - 2.0) < 1e-9 || std::abs(factor - 5.0) < 1e-9);
+    EXPECT_GE(ticks.at(0), -0.4 * height - 1e-12);
+    EXPECT_LE(ticks.at(ticks.count - 1), 0.6 * height * (1.0 + 1e-12));
+  }
+}
+
+TEST(Ticks, OfFramesAreWholeNumbers) {
+  const Ticks ticks = make_ticks(1.0, 3.5, 0.01, true);
+  EXPECT_EQ(ticks.step, 1.0);
+  EXPECT_EQ(ticks.count, 3);
+  EXPECT_EQ(ticks.decimals, 0);
+}
+
+TEST(Ticks, RefuseEmptyAndEndlessRanges) {
+  EXPECT_EQ(make_ticks(1.0, 1.0, 0.1).count, 0);
+  EXPECT_EQ(make_ticks(0.0, std::numeric_limits<double>::infinity(), 0.1).count, 0);
+  EXPECT_EQ(make_ticks(0.0, 1.0, 0.0).count, 0);
+}
+
+TEST(Ticks, LabelsHaveNoNegativeZero) {
+  EXPECT_EQ(tick_label(-0.0001, 1), "0.0");
+  EXPECT_EQ(tick_label(-12.25, 2), "-12.25");
+}
+
+TEST(ValueAxis, PixelAndValueAreInverse) {
+  const ValueAxis axis = axis_over(-30.0, 90.0);
+  for (const double value : {-30.0, 0.0, 12.5, 90.0}) EXPECT_NEAR(axis.value_at(axis.y_of(value)), value, 1e-4);
+  EXPECT_LT(axis.y_of(90.0), axis.y_of(-30.0));
+}
+
+TEST(ValueAxis, ZoomKeepsTheValueUnderThePointer) {
+  ValueAxis axis = axis_over(-30.0, 90.0);
+  const double before = axis.value_at(50.0f);
+  axis.zoom(50.0f, 3.0);
+  EXPECT_NEAR(axis.value_at(50.0f), before, 1e-9);
+  EXPECT_NEAR(axis.high - axis.low, 360.0, 1e-9);
+}
+
+TEST(ValueAxis, FitGivesAFlatCurveAHeight) {
+  ValueAxis axis = axis_over(0.0, 1.0);
+  axis.fit(5.0, 5.0, 2.0);
+  EXPECT_LT(axis.low, 5.0);
+  EXPECT_GT(axis.high, 5.0);
+}
+
+TEST(ValueRange, SkipsWhatIsNotFinite) {
+  ValueRange range;
+  range.add(std::vector<double>{NAN, 3.0, -INFINITY, -1.0});
+  EXPECT_FALSE(range.empty);
+  EXPECT_EQ(range.low, -1.0);
+  EXPECT_EQ(range.high, 3.0);
+}
+
+TEST(TimeWindow, ZoomKeepsTheFrameUnderThePointer) {
+  TimeWindow time = window_over(0.0, 100.0);
+  const double before = time.frame_at(400.0f);
+  time.zoom(400.0f, 0.5, 101);
+  EXPECT_NEAR(time.frame_at(400.0f), before, 1e-6);
+  EXPECT_NEAR(time.last - time.first, 50.0, 1e-9);
+}
+
+TEST(TimeWindow, NeverLosesTheClip) {
+  TimeWindow time = window_over(0.0, 100.0);
+  for (int i = 0; i < 100; ++i) time.pan(77.0, 101);
+  EXPECT_LE(time.first, 100.0);
+  for (int i = 0; i < 100; ++i) time.pan(-77.0, 101);
+  EXPECT_GE(time.last, 0.0);
+  for (int i = 0; i < 100; ++i) time.zoom(300.0f, 2.0, 101);
+  EXPECT_LE(time.last - time.first, 2.0 * 101 + 1e-9);
+}
+
+TEST(CurveShape, SparseSamplesAreDrawnOneByOne) {
+  const std::vector<double> samples = {0.0, 1.0, 4.0, 2.0};
+  CurveShape shape;
+  shape.build(samples, window_over(0.0, 3.0), axis_over(0.0, 4.0));
+  ASSERT_EQ(shape.strips().size(), 1u);
+  const auto points = shape.points(shape.strips()[0]);
+  ASSERT_EQ(points.size(), 4u);
+  EXPECT_FLOAT_EQ(points[2].x, window_over(0.0, 3.0).x_of(2.0));
+  EXPECT_FLOAT_EQ(points[2].y, 0.0f);
+}
+
+TEST(CurveShape, GapsBreakTheCurve) {
+  const std::vector<double> samples = {0.0, 1.0, NAN, 2.0, 3.0};
+  CurveShape shape;
+  shape.build(samples, window_over(0.0, 4.0), axis_over(0.0, 4.0));
+  ASSERT_EQ(shape.strips().size(), 2u);
+  EXPECT_EQ(shape.strips()[0].count, 2);
+  EXPECT_EQ(shape.strips()[1].count, 2);
+}
+
+TEST(CurveShape, DenseSamplesKeepEveryPeakAtTheCostOfPixels) {
+  std::vector<double> samples(100000, 0.0);
+  samples[51234] = 7.0;
+  CurveShape shape;
+  const ValueAxis axis = axis_over(0.0, 7.0);
+  shape.build(samples, window_over(0.0, 99999.0), axis);
+  ASSERT_EQ(shape.strips().size(), 1u);
+  const auto points = shape.points(shape.strips()[0]);
+  EXPECT_LT(points.size(), 4100u);
+  float top = 1e9f;
+  for (const ImVec2& point : points) top = std::min(top, point.y);
+  EXPECT_FLOAT_EQ(top, axis.y_of(7.0));
+}
+
+TEST(CurveShape, DrawsOnlyWhatIsInSight) {
+  const std::vector<double> samples(1000, 1.0);
+  CurveShape shape;
+  shape.build(samples, window_over(100.0, 110.0), axis_over(0.0, 2.0));
+  ASSERT_EQ(shape.strips().size(), 1u);
+  EXPECT_EQ(shape.strips()[0].count, 11);
+  shape.build({}, window_over(0.0, 10.0), axis_over(0.0, 2.0));
+  EXPECT_TRUE(shape.strips().empty());
+}
+
+}  // namespace
+}  // namespace marey::app
