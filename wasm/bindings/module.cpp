@@ -1,0 +1,56 @@
+#include <emscripten/emscripten.h>
+
+#include <string>
+#include <string_view>
+
+#include "wasm/bindings/module_clip.h"
+
+
+/// The functions that web/module/marey.ts calls. Text comes in as address and size in bytes, in memory from malloc that
+/// the caller releases; what goes out stays at the returned address until the next call with the same clip.
+/// Indices are in range: the caller checks them.
+extern "C" {
+
+/// Never null; marey_clip_is_open tells whether the text could be read.
+EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse(const char* text, size_t size, int strict) {
+  auto* clip = new ModuleClip;
+  marey::ReadOptions options;
+  options.strict = strict != 0;
+  marey::Result<marey::BvhClip> read = marey::read_bvh(std::string_view(text, size), options);
+  if (read) {
+    clip->bvh = std::move(read.value());
+    clip->is_open = true;
+    clip->text = describe_clip(clip->bvh);
+  } else {
+    clip->text = describe_error(read.error());
+  }
+  return clip;
+}
+
+EMSCRIPTEN_KEEPALIVE void marey_clip_dispose(ModuleClip* clip) { delete clip; }
+
+EMSCRIPTEN_KEEPALIVE int marey_clip_is_open(const ModuleClip* clip) { return clip->is_open ? 1 : 0; }
+
+/// After marey_clip_parse the clip or the error as JSON, after marey_clip_write the file.
+EMSCRIPTEN_KEEPALIVE const char* marey_clip_text(const ModuleClip* clip) { return clip->text.data(); }
+EMSCRIPTEN_KEEPALIVE size_t marey_clip_text_size(const ModuleClip* clip) { return clip->text.size(); }
+
+/// The samples of a channel, frame count values, for reading and for writing.
+EMSCRIPTEN_KEEPALIVE double* marey_clip_samples(ModuleClip* clip, int channel) {
+  return clip->bvh.motion.channel_samples(channel).data();
+}
+
+/// World positions of all nodes over a range of frames, [frame][node][x y z].
+EMSCRIPTEN_KEEPALIVE const float* marey_clip_world_positions(ModuleClip* clip, int first, int count) {
+  const marey::BvhClip& bvh = clip->bvh;
+  clip->world_positions.resize(marey::idx(count) * marey::idx(bvh.skeleton.node_count()) * 3);
+  compute_world_positions(bvh.skeleton, bvh.motion, {first, count}, bvh.position_rule,
+                          std::span<float>(clip->world_positions));
+  return clip->world_positions.data();
+}
+
+EMSCRIPTEN_KEEPALIVE void marey_clip_write(ModuleClip* clip) {
+  clip->text = write_bvh(clip->bvh.skeleton, clip->bvh.motion, clip->bvh.style);
+}
+
+}  // extern "C"

@@ -1,0 +1,42 @@
+#include "wasm/platform/backend.h"
+
+#include "wasm/platform/web/host.h"
+
+namespace marey::app {
+
+void Backend::ask_for_file() { marey_host_ask_for_file(); }
+
+void Backend::download(std::string_view file_name, std::string_view bytes) {
+  marey_host_download(file_name.data(), file_name.size(), bytes.data(), bytes.size());
+}
+
+void Backend::load_sample(std::string_view sample_id) { marey_host_load_sample(sample_id.data(), sample_id.size()); }
+
+void Backend::set_clipboard_text(std::string_view text) { marey_host_set_clipboard_text(text.data(), text.size()); }
+
+void Backend::set_document_state(std::string_view file_name, bool dirty) {
+  marey_host_set_document_state(file_name.data(), file_name.size(), dirty ? 1 : 0);
+}
+
+void Backend::announce(std::string_view text) { marey_host_announce(text.data(), text.size()); }
+
+void Backend::store_preferences(std::string_view json) { marey_host_store_preferences(json.data(), json.size()); }
+
+std::string Backend::load_preferences() {
+  std::string json(marey_host_load_preferences(nullptr, 0), '\0');
+  marey_host_load_preferences(json.data(), json.size());
+  return json;
+}
+
+SystemPreferences Backend::system_preferences() {
+  const int bits = marey_host_system_preferences();
+  return {.dark = (bits & 1) != 0, .reduced_motion = (bits & 2) != 0, .apple_keys = (bits & 4) != 0};
+}
+
+void Backend::set_mouse_cursor(std::string_view css_cursor) {
+  marey_host_set_mouse_cursor(css_cursor.data(), css_cursor.size());
+}
+
+void Backend::open_link(std::string_view url) { marey_host_open_link(url.data(), url.size()); }
+
+}  // namespace marey::app

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+
+/// What the page's JavaScript does for the program; web/host_library.js forwards each to `Module.host`
+/// (web/src/host.ts). Text is UTF-8, given by its address and its size in bytes, and is only valid during the call.
+extern "C" {
+void marey_host_ask_for_file();
+void marey_host_download(const char* name, size_t name_size, const char* bytes, size_t byte_count);
+void marey_host_load_sample(const char* id, size_t id_size);
+void marey_host_set_clipboard_text(const char* text, size_t text_size);
+void marey_host_set_document_state(const char* name, size_t name_size, int dirty);
+void marey_host_announce(const char* text, size_t text_size);
+void marey_host_store_preferences(const char* json, size_t json_size);
+/// Copies the stored preferences into `buffer` when they fit into `capacity`; returns their size, 0 for none.
+size_t marey_host_load_preferences(char* buffer, size_t capacity);
+/// Bits: 1 dark, 2 reduced motion, 4 the keys of an Apple keyboard.
+int marey_host_system_preferences();
+void marey_host_set_mouse_cursor(const char* css_cursor, size_t css_cursor_size);
+void marey_host_open_link(const char* url, size_t url_size);
+/// A text field has (1) or has lost (0) the keyboard; its caret stands at x, y with a line of `height`, in CSS pixels.
+void marey_host_set_text_input(int wanted, float css_x, float css_y, float css_height);
+}

@@ -1,0 +1,86 @@
+#include "wasm/platform/web/page.h"
+
+#include <GLES3/gl3.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "wasm/platform/web/host.h"
+
+namespace marey::app {
+namespace {
+
+constexpr char kCanvasSelector[] = "#canvas";
+
+Page& page_of(ImGuiContext* /*context*/) { return *static_cast<Page*>(ImGui::GetPlatformIO().Platform_ClipboardUserData); }
+
+void set_clipboard_text(ImGuiContext* context, const char* text) {
+  page_of(context).set_clipboard_text(text);
+  marey_host_set_clipboard_text(text, std::strlen(text));
+}
+
+void place_text_input(ImGuiContext* context, ImGuiViewport* /*viewport*/, ImGuiPlatformImeData* data) {
+  const float scale = page_of(context).app().css_per_unit();
+  marey_host_set_text_input(data->WantTextInput ? 1 : 0, data->InputPos.x * scale, data->InputPos.y * scale,
+                            data->InputLineHeight * scale);
+}
+
+}  // namespace
+
+Page::Page() = default;
+
+Page::~Page() {
+  app_.reset();
+  if (imgui_ == nullptr) return;
+  if (ImGui::GetIO().BackendRendererUserData != nullptr) ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext(imgui_);
+}
+
+Status Page::start(const FontFiles& fonts) {
+  if (Status started = gl_.start(kCanvasSelector); !started) return started;
+  imgui_ = ImGui::CreateContext();
+  ImGui::GetIO().ConfigMacOSXBehaviors = backend_.system_preferences().apple_keys;
+  connect_imgui();
+  if (!ImGui_ImplOpenGL3_Init("#version 300 es")) {
+    return Error{DiagnosticCode::InvalidArgument, {}, "The graphics driver refused the page's shaders.", "", ""};
+  }
+  app_ = std::make_unique<App>(backend_, fonts);
+  return {};
+}
+
+void Page::connect_imgui() {
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;
+  io.LogFilename = nullptr;
+  io.BackendPlatformName = "marey_web";
+  ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+  platform.Platform_ClipboardUserData = this;
+  platform.Platform_SetClipboardTextFn = set_clipboard_text;
+  platform.Platform_GetClipboardTextFn = [](ImGuiContext* context) { return page_of(context).clipboard_text_.c_str(); };
+  platform.Platform_SetImeDataFn = place_text_input;
+}
+
+bool Page::frame(double now_ms) {
+  input_.set_css_per_unit(app_->css_per_unit());
+  ImGui_ImplOpenGL3_NewFrame();
+  const bool wants_more = app_->frame(window_, now_ms / 1000.0);
+  draw();
+  return wants_more || Input::has_waiting_events();
+}
+
+void Page::draw() {
+  const auto width = static_cast<int>(std::lround(window_.css_width * window_.device_pixel_ratio));
+  const auto height = static_cast<int>(std::lround(window_.css_height * window_.device_pixel_ratio));
+  glViewport(0, 0, width, height);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+Status Page::restore_context() {
+  ImGui_ImplOpenGL3_DestroyDeviceObjects();
+  return {};
+}
+
+}  // namespace marey::app

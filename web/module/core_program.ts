@@ -1,0 +1,16 @@
+/** What Emscripten makes of wasm/bindings/module*.cpp. Addresses and sizes are in bytes. */
+export interface CoreProgram {
+  readonly HEAPU8: Uint8Array<ArrayBuffer>;
+  readonly HEAPF32: Float32Array<ArrayBuffer>;
+  readonly HEAPF64: Float64Array<ArrayBuffer>;
+  _malloc(size: number): number;
+  _free(address: number): void;
+  _marey_clip_parse(text: number, size: number, strict: number): number;
+  _marey_clip_dispose(clip: number): void;
+  _marey_clip_is_open(clip: number): number;
+  _marey_clip_text(clip: number): number;
+  _marey_clip_text_size(clip: number): number;
+  _marey_clip_samples(clip: number, channel: number): number;
+  _marey_clip_world_positions(clip: number, first: number, count: number): number;
+  _marey_clip_write(clip: number): void;
+}

@@ -1,0 +1,5 @@
+/** build/wasm/module.js, which esbuild finds by this name. */
+declare module "marey-module" {
+  import type { CoreProgram } from "./core_program.js";
+  export default function createModule(settings: { wasmBinary: Uint8Array }): Promise<CoreProgram>;
+}

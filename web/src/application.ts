@@ -1,0 +1,157 @@
+import createModule from "marey-app";
+import { type Request, fileNameOf } from "./address";
+import { readAsset } from "./assets";
+import { CanvasSize } from "./canvas_size";
+import { type FailureKind, type Rescue, showFailure } from "./failure";
+import { Files } from "./files";
+import { FrameLoop } from "./frame_loop";
+import { KeyboardInput, shortcutChords } from "./keyboard_input";
+import type { ProgramFiles } from "./loading";
+import { showNotice } from "./notice";
+import type { CommandInfo, State } from "./page_api";
+import { PageHost, watchSystemPreferences } from "./page_host";
+import { PointerInput } from "./pointer_input";
+import { Program } from "./program";
+import { TextField } from "./text_field";
+
+/** The started page: the program and everything that feeds it. */
+export class Application {
+  readonly loop: FrameLoop;
+  /** Undefined until start() is done. */
+  program!: Program;
+  private readonly canvas = document.getElementById("canvas") as HTMLCanvasElement;
+  private readonly files: Files;
+  private readonly textField: TextField;
+  private opened: Rescue | undefined;
+  private failed = false;
+
+  constructor() {
+    this.loop = new FrameLoop((nowMs) => this.program.frame(nowMs), (error) => this.fail("stopped", error));
+    this.files = new Files((name, bytes) => this.open(name, bytes));
+    const textElement = document.getElementById("text-input") as HTMLTextAreaElement;
+    this.textField = new TextField(textElement, this.canvas, () => this.program, () => this.loop.request());
+  }
+
+  /** Starts the program; throws a MareyError when there is no WebGL 2. */
+  async start({ wasm, fonts }: ProgramFiles): Promise<void> {
+    const host = new PageHost({
+      canvas: this.canvas,
+      askForFile: () => this.files.ask(),
+      loadSample: (id) => void this.loadSample(id),
+      placeTextInput: (wanted, x, y, height) => this.textField.place(wanted, x, y, height),
+    });
+    const module = await createModule({
+      wasmBinary: wasm,
+      host,
+      onAbort: (reason) => this.fail("stopped", reason),
+      print: (line) => console.info(line),
+      printErr: (line) => console.error(line),
+    });
+    this.program = new Program(module);
+    for (const { role, bytes } of fonts) this.program.addFont(role, bytes);
+    this.program.start();
+    this.connect();
+  }
+
+  /** Opens what the page's address asks for. What fails is said on the page. */
+  async openRequested({ src, sample }: Request): Promise<void> {
+    if (sample !== undefined) await this.loadSample(sample);
+    if (src === undefined) return;
+    const response = await fetch(src).catch(() => undefined);
+    if (!response?.ok) {
+      const reason = response ? `the server answered ${response.status}` : "its server cannot be reached or does not allow it";
+      showNotice(`${src.href} could not be loaded: ${reason}.`);
+      return;
+    }
+    this.tryToOpen(fileNameOf(src), new Uint8Array(await response.arrayBuffer()));
+  }
+
+  /** Throws a MareyError when the file is refused; the page shows it too. */
+  open(name: string, bytes: Uint8Array): void {
+    try {
+      this.program.open(name, bytes);
+      this.opened = { name, bytes: bytes.slice() };
+    } finally {
+      this.loop.request();
+    }
+  }
+
+  state(): State {
+    return this.program.state() as State;
+  }
+
+  fail(kind: FailureKind, cause: unknown): void {
+    if (this.failed) return;
+    this.failed = true;
+    this.loop.pause();
+    showFailure(kind, cause, this.rescue());
+  }
+
+  private connect(): void {
+    const wake = (): void => this.loop.request();
+    new CanvasSize(this.canvas, (width, height, ratio) => {
+      this.program.resize(width, height, ratio);
+      this.loop.drawNow();
+      wake();
+    });
+    new PointerInput(this.canvas, this.program, wake, () => this.loop.settleNow());
+    const shortcuts = (this.program.commands() as CommandInfo[]).map(({ shortcut }) => shortcut);
+    new KeyboardInput(this.program, this.textField, shortcutChords(shortcuts), wake);
+    window.addEventListener("paste", (event) => this.paste(event));
+    document.addEventListener("visibilitychange", wake);
+    watchSystemPreferences(wake);
+    this.watchContext();
+    this.canvas.focus({ preventScroll: true });
+  }
+
+  private watchContext(): void {
+    this.canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.loop.pause();
+    });
+    this.canvas.addEventListener("webglcontextrestored", () => {
+      try {
+        this.program.restoreContext();
+        this.loop.resume();
+      } catch (error) {
+        this.fail("no-webgl", error);
+      }
+    });
+  }
+
+  private paste(event: ClipboardEvent): void {
+    if (!event.clipboardData) return;
+    const text = event.clipboardData.getData("text/plain");
+    this.program.setClipboardText(text);
+    if (this.textField.isActive && text !== "") this.program.typeText(text);
+    else this.files.paste(event.clipboardData);
+    event.preventDefault();
+    this.loop.request();
+  }
+
+  private async loadSample(id: string): Promise<void> {
+    try {
+      this.tryToOpen(`${id}.bvh`, await readAsset(`samples/${id}.bvh`));
+    } catch (error) {
+      showNotice(`The sample could not be loaded: ${error instanceof Error ? error.message : error}`);
+    }
+  }
+
+  private tryToOpen(name: string, bytes: Uint8Array): void {
+    try {
+      this.open(name, bytes);
+    } catch {
+      // The program shows why.
+    }
+  }
+
+  /** The open document with its edits if the program still answers, else as it was opened. */
+  private rescue(): Rescue | undefined {
+    if (!this.opened) return undefined;
+    try {
+      return { name: this.opened.name, bytes: this.program.save() };
+    } catch {
+      return this.opened as Rescue;
+    }
+  }
+}

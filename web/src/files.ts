@@ -1,0 +1,88 @@
+import { hideNotice, showNotice } from "./notice";
+
+/** Opens a file in the program; throws a MareyError that the program shows by itself. */
+export type OpenBytes = (name: string, bytes: Uint8Array) => void;
+
+const looksLikeBvh = /^[\s\ufeff]*HIERARCHY\b/i;
+
+/** The ways in which a person gives a file to the page: picker, drop and paste. */
+export class Files {
+  private readonly input = document.getElementById("file-input") as HTMLInputElement;
+  private readonly overlay = document.getElementById("drop-overlay")!;
+
+  constructor(private readonly open: OpenBytes) {
+    this.input.addEventListener("change", () => {
+      void this.openFirst([...(this.input.files ?? [])]);
+      this.input.value = "";
+    });
+    window.addEventListener("dragover", (event) => this.dragOver(event));
+    window.addEventListener("dragleave", (event) => {
+      if (event.relatedTarget === null) this.overlay.hidden = true;
+    });
+    window.addEventListener("drop", (event) => this.drop(event));
+  }
+
+  ask(): void {
+    this.input.click();
+  }
+
+  /** Files and BVH text from the clipboard; true when there was something to open. */
+  paste(data: DataTransfer): boolean {
+    const files = [...data.files];
+    if (files.length > 0) {
+      void this.openFirst(files);
+      return true;
+    }
+    const text = data.getData("text/plain");
+    if (!looksLikeBvh.test(text)) return false;
+    this.openBytes("pasted.bvh", new TextEncoder().encode(text));
+    return true;
+  }
+
+  private dragOver(event: DragEvent): void {
+    event.preventDefault();
+    if (!event.dataTransfer) return;
+    event.dataTransfer.dropEffect = "copy";
+    this.overlay.hidden = false;
+  }
+
+  private drop(event: DragEvent): void {
+    event.preventDefault();
+    this.overlay.hidden = true;
+    if (event.dataTransfer && !this.paste(event.dataTransfer)) showNotice("What was dropped is not a BVH file.");
+  }
+
+  /** Opens the first BVH file, or the only file whatever its name. */
+  private async openFirst(files: File[]): Promise<void> {
+    if (files.length === 0) return;
+    const file = files.find(({ name }) => /\.bvh$/i.test(name)) ?? files[0]!;
+    let bytes: Uint8Array;
+    try {
+      bytes = new Uint8Array(await file.arrayBuffer());
+    } catch {
+      showNotice(`${file.name} could not be read. Check that it still exists and that the browser may read it.`);
+      return;
+    }
+    this.openBytes(file.name, bytes);
+    if (files.length > 1) showNotice(`${files.length} files were given; ${file.name} was opened, one at a time.`);
+  }
+
+  private openBytes(name: string, bytes: Uint8Array): void {
+    hideNotice();
+    try {
+      this.open(name, bytes);
+    } catch {
+      // The program shows why and keeps the document that was open.
+    }
+  }
+}
+
+/** Hands bytes to the browser as a download. */
+export function download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+  const url = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
+  const link = document.createElement("a");
+  link.href = url;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 60_000);
+}

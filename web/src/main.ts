@@ -1,0 +1,48 @@
+import { lockConnections, readAddress } from "./address";
+import { Application } from "./application";
+import { AssetError } from "./assets";
+import type { FailureKind } from "./failure";
+import { hideLoading, loadProgramFiles } from "./loading";
+import { makePageApi } from "./make_page_api";
+import { MareyError } from "../module/marey_error";
+import { applyTheme, loadPreferences } from "./preferences";
+
+/** What the browser lacks, if anything. */
+function findMissingPart(): FailureKind | undefined {
+  if (typeof WebAssembly !== "object") return "no-wasm";
+  if (typeof WebGL2RenderingContext === "undefined") return "no-webgl";
+  return undefined;
+}
+
+function kindOfFailure(error: unknown): FailureKind {
+  if (error instanceof AssetError) return "not-loaded";
+  if (error instanceof MareyError) return "no-webgl";
+  return error instanceof WebAssembly.CompileError ? "no-wasm" : "stopped";
+}
+
+async function startPage(application: Application): Promise<void> {
+  const request = readAddress(location.search, document.baseURI);
+  lockConnections(request);
+  const missing = findMissingPart();
+  if (missing) {
+    const error = new Error("The browser lacks a part that the page needs.");
+    application.fail(missing, error);
+    throw error;
+  }
+  try {
+    await application.start(await loadProgramFiles());
+    await application.openRequested(request);
+    application.loop.drawNow();
+    application.loop.request();
+    hideLoading();
+  } catch (error) {
+    application.fail(kindOfFailure(error), error);
+    throw error;
+  }
+}
+
+applyTheme(loadPreferences());
+const application = new Application();
+const ready = startPage(application);
+ready.catch(() => {});
+window.marey = makePageApi(application, ready);

@@ -1,0 +1,37 @@
+import type { Application } from "./application";
+import type { CommandInfo, Item, PageApi } from "./page_api";
+
+async function bytesOf(data: string | Uint8Array | ArrayBuffer | Blob): Promise<Uint8Array> {
+  if (typeof data === "string") return new TextEncoder().encode(data);
+  if (data instanceof Blob) return new Uint8Array(await data.arrayBuffer());
+  return data instanceof Uint8Array ? data : new Uint8Array(data);
+}
+
+/** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */
+export function makePageApi(application: Application, ready: Promise<void>): PageApi {
+  return {
+    ready,
+    async open(name, data) {
+      await ready;
+      application.open(name, await bytesOf(data));
+      application.loop.drawNow();
+      return application.state();
+    },
+    save: () => application.program.save(),
+    state: () => application.state(),
+    commands: () => application.program.commands() as CommandInfo[],
+    async command(id, args) {
+      await ready;
+      const answer = application.program.runCommand(id, args);
+      application.loop.drawNow();
+      application.loop.request();
+      if (isRefusal(answer)) throw new Error(answer.error);
+      return answer;
+    },
+    ui: { items: () => application.program.items() as Item[] },
+  };
+}
+
+function isRefusal(answer: unknown): answer is { error: string } {
+  return typeof answer === "object" && answer !== null && typeof (answer as { error?: unknown }).error === "string";
+}

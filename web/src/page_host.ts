@@ -1,0 +1,85 @@
+import { copyText } from "./clipboard";
+import { download } from "./files";
+import type { Host, SystemPreferences } from "./host";
+import { applyTheme, loadPreferences, storePreferences } from "./preferences";
+
+/** What of the page the program reaches through its host. */
+export interface PageParts {
+  canvas: HTMLCanvasElement;
+  askForFile(): void;
+  loadSample(id: string): void;
+  placeTextInput(wanted: boolean, x: number, y: number, height: number): void;
+}
+
+const dark = matchMedia("(prefers-color-scheme: dark)");
+const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+
+/** Calls back when the person changes a preference of their system. */
+export function watchSystemPreferences(changed: () => void): void {
+  for (const query of [dark, reducedMotion]) query.addEventListener("change", changed);
+}
+
+export class PageHost implements Host {
+  private readonly status = document.getElementById("status")!;
+  private dirty = false;
+
+  constructor(private readonly parts: PageParts) {
+    window.addEventListener("beforeunload", (event) => {
+      if (this.dirty) event.preventDefault();
+    });
+  }
+
+  askForFile(): void {
+    this.parts.askForFile();
+  }
+
+  download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+    download(name, bytes);
+  }
+
+  loadSample(id: string): void {
+    this.parts.loadSample(id);
+  }
+
+  setClipboardText(text: string): void {
+    copyText(text);
+  }
+
+  setDocumentState(name: string, dirty: boolean): void {
+    this.dirty = dirty;
+    document.title = name === "" ? "Marey" : `${dirty ? "* " : ""}${name} - Marey`;
+  }
+
+  announce(text: string): void {
+    this.status.textContent = text;
+  }
+
+  storePreferences(json: string): void {
+    storePreferences(json);
+    applyTheme(json);
+  }
+
+  loadPreferences(): string {
+    return loadPreferences();
+  }
+
+  systemPreferences(): SystemPreferences {
+    return {
+      dark: dark.matches,
+      reducedMotion: reducedMotion.matches,
+      appleKeys: /Mac|iPhone|iPad/.test(navigator.platform),
+    };
+  }
+
+  setMouseCursor(cssCursor: string): void {
+    this.parts.canvas.style.cursor = cssCursor;
+  }
+
+  openLink(url: string): void {
+    window.open(url, "_blank", "noopener");
+  }
+
+  setTextInput(wanted: boolean, x: number, y: number, height: number): void {
+    this.parts.placeTextInput(wanted, x, y, height);
+  }
+}

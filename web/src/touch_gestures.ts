@@ -1,0 +1,157 @@
+import { Button, type ModifierState, type Program } from "./program";
+
+/** A finger that moves less than this, in CSS pixels, is tapping. */
+const tapRadius = 6;
+const longPressMs = 500;
+/** Wheel lines for a doubling of the distance between two fingers. */
+const linesPerDoubling = 7;
+
+interface Finger {
+  x: number;
+  y: number;
+}
+
+type Phase =
+  | { kind: "idle" }
+  /** One finger down, not known yet for what. */
+  | { kind: "undecided"; start: Finger; timer: number }
+  | { kind: "drag" }
+  | { kind: "pinch"; distance: number }
+  /** What was begun is over; waits until all fingers are lifted. */
+  | { kind: "done" };
+
+/**
+ * What fingers mean: a tap is a click, a drag is a drag with the left button, a long press a click with the right one.
+ * Two fingers drag with the middle button, and zoom where their middle is.
+ */
+export class TouchGestures {
+  private readonly fingers = new Map<number, Finger>();
+  private phase: Phase = { kind: "idle" };
+
+  constructor(
+    private readonly program: Program,
+    private readonly wake: () => void,
+    private readonly settle: () => void,
+  ) {}
+
+  down(event: PointerEvent): void {
+    this.fingers.set(event.pointerId, place(event));
+    if (this.fingers.size === 1) this.beginTouch(place(event), event);
+    else if (this.fingers.size === 2) this.beginPinch(event);
+    else this.endPinch(event);
+    this.wake();
+  }
+
+  move(event: PointerEvent): void {
+    if (!this.fingers.has(event.pointerId)) return;
+    this.fingers.set(event.pointerId, place(event));
+    if (this.phase.kind === "undecided") this.decide(this.phase.start, event);
+    if (this.phase.kind === "drag") this.program.movePointer("touch", event.clientX, event.clientY, event);
+    if (this.phase.kind === "pinch") this.pinch(this.phase.distance, event);
+    this.wake();
+  }
+
+  up(event: PointerEvent): void {
+    const phase = this.phase;
+    this.fingers.delete(event.pointerId);
+    if (phase.kind === "undecided") this.click(Button.Left, phase.start, event);
+    else this.release(event);
+    this.finish();
+    this.settle();
+    this.program.leavePointer();
+    this.wake();
+  }
+
+  cancel(event: PointerEvent): void {
+    this.fingers.delete(event.pointerId);
+    this.release(event);
+    this.finish();
+    this.program.leavePointer();
+    this.wake();
+  }
+
+  private beginTouch(start: Finger, modifiers: ModifierState): void {
+    const timer = window.setTimeout(() => {
+      this.phase = { kind: "done" };
+      this.click(Button.Right, start, modifiers);
+      this.wake();
+    }, longPressMs);
+    this.phase = { kind: "undecided", start, timer };
+    this.program.movePointer("touch", start.x, start.y, modifiers);
+  }
+
+  private decide(start: Finger, event: PointerEvent): void {
+    if (distanceBetween(start, place(event)) <= tapRadius) return;
+    this.leaveUndecided();
+    this.press(Button.Left, start, event);
+    this.phase = { kind: "drag" };
+  }
+
+  private beginPinch(event: PointerEvent): void {
+    this.release(event);
+    this.press(Button.Middle, this.middle(), event);
+    this.phase = { kind: "pinch", distance: this.spread() };
+  }
+
+  private pinch(previousDistance: number, event: PointerEvent): void {
+    const middle = this.middle();
+    const distance = this.spread();
+    this.program.movePointer("touch", middle.x, middle.y, event);
+    const lines = linesPerDoubling * Math.log2(distance / previousDistance);
+    if (lines !== 0) this.program.turnWheel(0, lines, event, true);
+    this.phase = { kind: "pinch", distance };
+  }
+
+  private endPinch(event: PointerEvent): void {
+    this.release(event);
+    this.phase = { kind: "done" };
+  }
+
+  private press(button: Button, at: Finger, modifiers: ModifierState): void {
+    this.program.movePointer("touch", at.x, at.y, modifiers);
+    this.program.pressButton("touch", button, true, modifiers);
+  }
+
+  private click(button: Button, at: Finger, modifiers: ModifierState): void {
+    this.press(button, at, modifiers);
+    this.program.pressButton("touch", button, false, modifiers);
+  }
+
+  /** Lifts the button that the phase holds down. */
+  private release(modifiers: ModifierState): void {
+    this.leaveUndecided();
+    if (this.phase.kind === "drag") this.program.pressButton("touch", Button.Left, false, modifiers);
+    if (this.phase.kind === "pinch") this.program.pressButton("touch", Button.Middle, false, modifiers);
+  }
+
+  private leaveUndecided(): void {
+    if (this.phase.kind === "undecided") clearTimeout(this.phase.timer);
+  }
+
+  private finish(): void {
+    this.leaveUndecided();
+    this.phase = this.fingers.size === 0 ? { kind: "idle" } : { kind: "done" };
+  }
+
+  private middle(): Finger {
+    const [a, b] = this.firstTwo();
+    return { x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 };
+  }
+
+  private spread(): number {
+    return Math.max(distanceBetween(...this.firstTwo()), 1);
+  }
+
+  private firstTwo(): [Finger, Finger] {
+    const [a, b] = this.fingers.values();
+    return [a!, b ?? a!];
+  }
+}
+
+function place(event: PointerEvent): Finger {
+  return { x: event.clientX, y: event.clientY };
+}
+
+function distanceBetween(a: Finger, b: Finger): number {
+  return Math.hypot(a.x - b.x, a.y - b.y);
+}
