@@ -31,7 +31,7 @@ function isInstalled(name) {
 }
 
 function aptGet(args) {
-  const command = ["apt-get", "-y", "-q", "-o", "DPkg::Lock::Timeout=600", ...args];
+  const command = ["apt-get", "-y", "-q", "-o", "Dpkg::Use-Pty=0", "-o", "DPkg::Lock::Timeout=600", ...args];
   const environment = ["env", "DEBIAN_FRONTEND=noninteractive"];
   const [program, ...rest] = process.getuid() === 0 ? [...environment, ...command] : ["sudo", ...environment, ...command];
   run(program, rest);
