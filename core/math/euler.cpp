@@ -32,38 +32,47 @@ Axes numbered(EulerOrder order) {
   return {i, j, k, 3 - i - j, (i + 1) % 3 == j ? 1.0 : -1.0, i == k};
 }
 
-struct Solution {
-  glm::dvec3 angles_deg;
+struct LeadingAngles {
+  double first_deg;
+  double middle_deg;
   bool gimbal_lock;
 };
 
-Solution tait_bryan(const Axes& axes, const glm::dmat3& r) {
+LeadingAngles tait_bryan(const Axes& axes, const glm::dmat3& r) {
   const auto [i, j, k, other, e, proper] = axes;
   const double cosine = std::hypot(entry(r, i, i), entry(r, i, j));
-  return {{atan2_deg(-e * entry(r, j, k), entry(r, k, k)), atan2_deg(e * entry(r, i, k), cosine),
-           atan2_deg(-e * entry(r, i, j), entry(r, i, i))},
-          cosine < kGimbalLock};
+  return {atan2_deg(-e * entry(r, j, k), entry(r, k, k)), atan2_deg(e * entry(r, i, k), cosine), cosine < kGimbalLock};
 }
 
-Solution proper_euler(const Axes& axes, const glm::dmat3& r) {
+LeadingAngles proper_euler(const Axes& axes, const glm::dmat3& r) {
   const auto [i, j, last, k, e, proper] = axes;
   const double sine = std::hypot(entry(r, i, j), entry(r, i, k));
-  return {{atan2_deg(entry(r, j, i), -e * entry(r, k, i)), atan2_deg(sine, entry(r, i, i)),
-           atan2_deg(entry(r, i, j), e * entry(r, i, k))},
-          sine < kGimbalLock};
+  return {atan2_deg(entry(r, j, i), -e * entry(r, k, i)), atan2_deg(sine, entry(r, i, i)), sine < kGimbalLock};
 }
 
-// With the third angle c given, the rest R * R_third(-c) is a turn about the first axis after a quarter or half turn.
-glm::dvec3 with_third_angle(const Axes& axes, EulerOrder order, const glm::dmat3& r, double middle_deg, double c_deg) {
-  const glm::dmat3 q = r * glm::mat3_cast(axis_rotation(order.third, -c_deg));
-  return {atan2_deg(axes.parity * entry(q, axes.other, axes.j), entry(q, axes.j, axes.j)), middle_deg, c_deg};
+// The third angle from what R_first(-a) leaves of the rotation: its row j holds c alone. Taken from R itself, c would
+// not fit a near gimbal lock, where both lose digits.
+double third_angle_deg(const Axes& axes, const glm::dmat3& r, double first_deg) {
+  const auto [i, j, last, k, e, proper] = axes;
+  const SinCos<double> a = sincos_deg(first_deg);
+  const int column = proper ? k : i;
+  const double sine = a.cosine * entry(r, j, column) + e * a.sine * entry(r, k, column);
+  return atan2_deg((proper ? -e : e) * sine, a.cosine * entry(r, j, j) + e * a.sine * entry(r, k, j));
+}
+
+// With the third angle c given, what R * R_third(-c) turns about the first axis.
+double first_angle_deg(const Axes& axes, EulerOrder order, const glm::dmat3& r, double third_deg) {
+  const glm::dmat3 q = r * glm::mat3_cast(axis_rotation(order.third, -third_deg));
+  return atan2_deg(axes.parity * entry(q, axes.other, axes.j), entry(q, axes.j, axes.j));
 }
 
 glm::dvec3 extracted(EulerOrder order, const glm::dmat3& r, double third_in_gimbal_lock_deg) {
   const Axes axes = numbered(order);
-  const Solution solution = axes.proper ? proper_euler(axes, r) : tait_bryan(axes, r);
-  if (!solution.gimbal_lock) return solution.angles_deg;
-  return with_third_angle(axes, order, r, solution.angles_deg.y, third_in_gimbal_lock_deg);
+  const LeadingAngles found = axes.proper ? proper_euler(axes, r) : tait_bryan(axes, r);
+  if (found.gimbal_lock) {
+    return {first_angle_deg(axes, order, r, third_in_gimbal_lock_deg), found.middle_deg, third_in_gimbal_lock_deg};
+  }
+  return {found.first_deg, found.middle_deg, third_angle_deg(axes, r, found.first_deg)};
 }
 
 double squared_distance(const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b); }

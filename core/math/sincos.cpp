@@ -2,11 +2,14 @@
 
 #include <cmath>
 
-namespace marey {
+namespace marey::sincos_detail {
 
-SinCos<double> sincos_deg(double angle_deg) {
-  // fmod is exact for any size of angle.
-  return sincos_small_deg(std::abs(angle_deg) > kLargeAngleDeg ? std::fmod(angle_deg, 360.0) : angle_deg);
+double within_one_turn(double angle_deg) {
+  return std::abs(angle_deg) > kLargeAngleDeg ? std::fmod(angle_deg, 360.0) : angle_deg;
 }
 
-}  // namespace marey
+Lanes within_one_turn(const Lanes& angle_deg) { 
+  return Lanes{within_one_turn(angle_deg[0]), within_one_turn(angle_deg[1])};
+}
+
+}  // namespace marey::sincos_detail

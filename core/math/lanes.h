@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace marey {
+
+/// A few doubles that are computed with at once: one 128-bit SIMD register, native or wasm. + - * and [] work per lane.
+using Lanes = double __attribute__((vector_size(16)));
+/// The bits of Lanes.
+using LaneBits = std::uint64_t __attribute__((vector_size(16)));
+
+inline constexpr int kLaneCount = static_cast<int>(sizeof(Lanes) / sizeof(double));
+
+}  // namespace marey
