@@ -16,7 +16,7 @@ constexpr char kCanvasSelector[] = "#canvas";
 
 Page& page_of(ImGuiContext* /*context*/) { return *static_cast<Page*>(ImGui::GetPlatformIO().Platform_ClipboardUserData); }
 
-void set_clipboard_text(ImGuiContext* context, const char* text) {
+void copy_text(ImGuiContext* context, const char* text) {
   page_of(context).set_clipboard_text(text);
   marey_host_set_clipboard_text(text, std::strlen(text));
 }
@@ -57,7 +57,7 @@ void Page::connect_imgui() {
   io.BackendPlatformName = "marey_web";
   ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
   platform.Platform_ClipboardUserData = this;
-  platform.Platform_SetClipboardTextFn = set_clipboard_text;
+  platform.Platform_SetClipboardTextFn = copy_text;
   platform.Platform_GetClipboardTextFn = [](ImGuiContext* context) { return page_of(context).clipboard_text_.c_str(); };
   platform.Platform_SetImeDataFn = place_text_input;
 }
