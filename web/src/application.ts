@@ -108,6 +108,7 @@ export class Application {
     this.canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.loop.pause();
+      this.program.loseContext();
     });
     this.canvas.addEventListener("webglcontextrestored", () => {
       try {

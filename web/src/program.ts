@@ -47,6 +47,10 @@ export class Program {
     return this.module._marey_frame(this.page, nowMs) !== 0;
   }
 
+  loseContext(): void {
+    this.module._marey_lose_context(this.page);
+  }
+
   restoreContext(): void {
     this.check(this.module._marey_restore_context(this.page));
   }

@@ -4,7 +4,7 @@ import { Button, type ModifierState, type Program } from "./program";
 const tapRadius = 6;
 const longPressMs = 500;
 /** Wheel lines for a doubling of the distance between two fingers. */
-const linesPerDoubling = 7;
+const linesPerDoubling = 5;
 
 interface Finger {
   x: number;
@@ -16,13 +16,14 @@ type Phase =
   /** One finger down, not known yet for what. */
   | { kind: "undecided"; start: Finger; timer: number }
   | { kind: "drag" }
-  | { kind: "pinch"; distance: number }
+  | { kind: "pinch"; distance: number; upright: boolean }
   /** What was begun is over; waits until all fingers are lifted. */
   | { kind: "done" };
 
 /**
  * What fingers mean: a tap is a click, a drag is a drag with the left button, a long press a click with the right one.
- * Two fingers drag with the middle button, and zoom where their middle is.
+ * Two fingers drag with the middle button and turn the wheel by their distance where their middle is; with Ctrl when
+ * they stand above each other, which graphs take as zoom along the upright axis.
  */
 export class TouchGestures {
   private readonly fingers = new Map<number, Finger>();
@@ -47,7 +48,7 @@ export class TouchGestures {
     this.fingers.set(event.pointerId, place(event));
     if (this.phase.kind === "undecided") this.decide(this.phase.start, event);
     if (this.phase.kind === "drag") this.program.movePointer("touch", event.clientX, event.clientY, event);
-    if (this.phase.kind === "pinch") this.pinch(this.phase.distance, event);
+    if (this.phase.kind === "pinch") this.pinch(this.phase.distance, this.phase.upright, event);
     this.wake();
   }
 
@@ -90,16 +91,18 @@ export class TouchGestures {
   private beginPinch(event: PointerEvent): void {
     this.release(event);
     this.press(Button.Middle, this.middle(), event);
-    this.phase = { kind: "pinch", distance: this.spread() };
+    const [a, b] = this.firstTwo();
+    const upright = Math.abs(a.y - b.y) > Math.abs(a.x - b.x);
+    this.phase = { kind: "pinch", distance: this.spread(), upright };
   }
 
-  private pinch(previousDistance: number, event: PointerEvent): void {
+  private pinch(previousDistance: number, upright: boolean, event: PointerEvent): void {
     const middle = this.middle();
     const distance = this.spread();
     this.program.movePointer("touch", middle.x, middle.y, event);
     const lines = linesPerDoubling * Math.log2(distance / previousDistance);
-    if (lines !== 0) this.program.turnWheel(0, lines, event, true);
-    this.phase = { kind: "pinch", distance };
+    if (lines !== 0) this.program.turnWheel(0, lines, event, upright);
+    this.phase = { kind: "pinch", distance, upright };
   }
 
   private endPinch(event: PointerEvent): void {

@@ -1,6 +1,5 @@
 #include "wasm/platform/web/page.h"
 
-#include <GLES3/gl3.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
@@ -46,6 +45,7 @@ Status Page::start(const FontFiles& fonts) {
   if (!ImGui_ImplOpenGL3_Init("#version 300 es")) {
     return Error{DiagnosticCode::InvalidArgument, {}, "The graphics driver refused the page's shaders.", "", ""};
   }
+  if (Status started = scene_renderer_.start(); !started) return started;
   app_ = std::make_unique<App>(backend_, fonts);
   return {};
 }
@@ -73,14 +73,15 @@ bool Page::frame(double now_ms) {
 void Page::draw() {
   const auto width = static_cast<int>(std::lround(window_.css_width * window_.device_pixel_ratio));
   const auto height = static_cast<int>(std::lround(window_.css_height * window_.device_pixel_ratio));
-  glViewport(0, 0, width, height);
-  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  scene_renderer_.draw(app_->scene(), width, height, window_.device_pixel_ratio * app_->css_per_unit());
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
 
-Status Page::restore_context() {
+void Page::lose_context() {
   ImGui_ImplOpenGL3_DestroyDeviceObjects();
-  return {};
+  scene_renderer_.release();
 }
+
+Status Page::restore_context() { return scene_renderer_.start(); }
 
 }  // namespace marey::app

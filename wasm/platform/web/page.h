@@ -8,6 +8,7 @@
 #include "wasm/platform/backend.h"
 #include "wasm/platform/web/gl_context.h"
 #include "wasm/platform/web/input.h"
+#include "wasm/render/scene_renderer.h"
 
 struct ImGuiContext;
 
@@ -36,7 +37,9 @@ class Page {
   /// Runs and draws one frame. Returns true when a further one is wanted without new input.
   bool frame(double now_ms);
 
-  /// The browser has emptied the WebGL context and given it back: uploads everything again with the next frame.
+  /// The browser has taken the contents of the WebGL context away: forgets them. No frame until restore_context().
+  void lose_context();
+  /// The browser has given the context back, empty: everything is uploaded again.
   Status restore_context();
 
  private:
@@ -45,6 +48,7 @@ class Page {
 
   Backend backend_;
   GlContext gl_;
+  SceneRenderer scene_renderer_;
   ImGuiContext* imgui_ = nullptr;
   Input input_;
   WindowSize window_;
