@@ -68,8 +68,9 @@ bool Playback::advance(double elapsed_s) {
   if (!playing_ || std::isnan(elapsed_s) || elapsed_s <= 0.0) return playing_;
   const double first = range_.first;
   const double end = range_.end();
-  if (exact_position_ < first - kRoundingFrames || exact_position_ >= end) exact_position_ = first;
-  exact_position_ += std::min(elapsed_s * speed_ / frame_time_s_, kMaxAdvanceFrames);
+  const bool outside = exact_position_ < first - kRoundingFrames || exact_position_ >= end;
+  const double frames = std::min(elapsed_s * speed_ / frame_time_s_, kMaxAdvanceFrames);
+  exact_position_ = outside ? first : exact_position_ + frames;
   if (loops_) {
     if (exact_position_ + kRoundingFrames >= end) {
       exact_position_ = first + std::fmod(exact_position_ + kRoundingFrames - first, range_.count) - kRoundingFrames;

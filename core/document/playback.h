@@ -39,7 +39,7 @@ class Playback {
   /// Moves on by `elapsed_s` of wall time. In a loop each frame of the range lasts one frame time, then the first
   /// follows; otherwise playing stops on reaching the last. At normal speed and above the position is a whole frame
   /// (the clip's own frames are shown); below, poses are interpolated, and a loop holds the last frame for its time.
-  /// Returns true while playing.
+  /// From outside of the range it goes to the range's first frame. Returns true while playing.
   bool advance(double elapsed_s);
 
  private:
