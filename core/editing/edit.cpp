@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <tuple>
 #include <utility>
@@ -20,7 +21,8 @@ Error refusal(DiagnosticCode code, std::string message) { return Error{code, {},
 
 Status check_samples(const Motion& motion, const SamplesChange& change) {
   if (change.channel < 0 || change.channel >= motion.channel_count()) {
-    return refusal(DiagnosticCode::InvalidArgument, fmt::format("The clip has no channel {}.", change.channel + 1));
+    return refusal(DiagnosticCode::InvalidArgument,
+                   fmt::format("The clip has no channel {}.", std::int64_t{change.channel} + 1));
   }
   if (change.first < 0 || change.first > motion.frame_count() ||
       change.values.size() > idx(motion.frame_count() - change.first)) {
@@ -39,7 +41,8 @@ Status check_samples(const Motion& motion, const SamplesChange& change) {
 
 Status check_offset(const Skeleton& skeleton, const OffsetChange& change) {
   if (change.node < 0 || change.node >= skeleton.node_count()) {
-    return refusal(DiagnosticCode::InvalidArgument, fmt::format("The figure has no node {}.", change.node + 1));
+    return refusal(DiagnosticCode::InvalidArgument,
+                   fmt::format("The figure has no node {}.", std::int64_t{change.node} + 1));
   }
   const glm::dvec3& offset = change.offset;
   if (!std::isfinite(offset.x) || !std::isfinite(offset.y) || !std::isfinite(offset.z)) {

@@ -180,7 +180,7 @@ class EditRun {
 };
 
 TEST(EditSequences, HistoryIsATimelineOfCompleteStates) {
-  constexpr std::uint64_t kDocuments = 1500;
+  constexpr std::uint64_t kDocuments = 1000;
   constexpr int kSteps = 50;
   for (std::uint64_t seed = 0; seed < kDocuments; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
