@@ -2,7 +2,7 @@
 const basics = ["core/base", "core/math", "core/skeleton", "core/motion"];
 const mechanics = [...basics, "core/kinematics"];
 const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
-  "core/retargeting", "core/constraints", "core/document"];
+  "core/retargeting", "core/constraints", "core/table", "core/document"];
 
 const arrows = {
   "core/base": [],
@@ -17,6 +17,7 @@ const arrows = {
   "core/biomechanics": mechanics,
   "core/retargeting": mechanics,
   "core/constraints": mechanics,
+  "core/table": mechanics,
   "core/document": core,
   cli: core,
   "wasm/render": core,

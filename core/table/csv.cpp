@@ -1,0 +1,88 @@
+#include "core/table/csv.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <iterator>
+#include <string_view>
+#include <vector>
+
+#include "core/base/number_text.h"
+#include "core/kinematics/forward_kinematics.h"
+
+namespace marey {
+namespace {
+
+void append_text_field(std::string_view text, std::string& out) {
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
+    out += text;
+    return;
+  }
+  out += '"';
+  for (const char c : text) out.append(c == '"' ? 2U : 1U, c);
+  out += '"';
+}
+
+void append_number_field(double value, std::string& out) {
+  constexpr NumberFormat kFewestDigits{.decimals = 0};
+  out += ',';
+  append_number(value, kFewestDigits, out);
+}
+
+void append_row_start(const Motion& motion, FrameIndex frame, std::string& out) {
+  fmt::format_to(std::back_inserter(out), "{}", frame + 1);
+  append_number_field(frame * motion.frame_time_s(), out);
+}
+
+std::string_view channel_name(const Channel& channel) {
+  return channel.kind == ChannelKind::Other ? std::string_view(channel.other_name) : channel_keyword(channel.kind);
+}
+
+}  // namespace
+
+void append_channel_header(const Skeleton& skeleton, std::string& out) {
+  out += "frame,time";
+  for (const Channel& channel : skeleton.channels()) {
+    out += ',';
+    append_text_field(fmt::format("{}.{}", skeleton.name(channel.joint), channel_name(channel)), out);
+  }
+  out += '\n';
+}
+
+void append_channel_rows(const Motion& motion, FrameRange frames, std::string& out) {
+  for (FrameIndex frame = frames.first; frame < frames.end(); ++frame) {
+    append_row_start(motion, frame, out);
+    for (ChannelIndex channel = 0; channel < motion.channel_count(); ++channel) {
+      append_number_field(motion.sample(channel, frame), out);
+    }
+    out += '\n';
+  }
+}
+
+void append_position_header(const Skeleton& skeleton, std::string& out) {
+  out += "frame,time";
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    const std::string label = node_label(skeleton, node);
+    for (const char axis : std::array{'x', 'y', 'z'}) {
+      out += ',';
+      append_text_field(fmt::format("{}.{}", label, axis), out);
+    }
+  }
+  out += '\n';
+}
+
+void append_position_rows(const Skeleton& skeleton, const Motion& motion, FrameRange frames, PositionRule rule,
+                          std::string& out) {
+  const std::size_t row_length = idx(skeleton.node_count()) * 3;
+  std::vector<double> world_positions(idx(frames.count) * row_length);
+  compute_world_positions(skeleton, motion, frames, rule, world_positions);
+  for (int row = 0; row < frames.count; ++row) {
+    append_row_start(motion, frames.first + row, out);
+    for (const double value : std::span(world_positions).subspan(idx(row) * row_length, row_length)) {
+      append_number_field(value, out);
+    }
+    out += '\n';
+  }
+}
+
+}  // namespace marey

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "core/motion/motion.h"
+#include "core/skeleton/position_rule.h"
+#include "core/skeleton/skeleton.h"
+
+namespace marey {
+
+// Clips as comma-separated tables for spreadsheets and scripts: one header line, one line per frame, '.' as the decimal
+// point, "\n" as the line end. The first two columns are `frame`, counted from 1, and `time` in seconds, 0 in the first
+// frame. A number is the shortest text that reads back as the same double. A name that holds a comma, a quote or a line
+// break stands in quotes. Rows are appended for a range of frames, so that long clips can be written piece by piece.
+
+/// "frame,time,Hips.Xposition,Hips.Yposition,...": the columns of a BVH file.
+void append_channel_header(const Skeleton& skeleton, std::string& out);
+/// Samples in degrees and file units. `frames` lies within the motion.
+void append_channel_rows(const Motion& motion, FrameRange frames, std::string& out);
+
+/// "frame,time,Hips.x,Hips.y,Hips.z,...": joints in file order, an end site as "<joint>_end" behind its joint.
+void append_position_header(const Skeleton& skeleton, std::string& out);
+/// World positions in file units. `frames` lies within the motion.
+void append_position_rows(const Skeleton& skeleton, const Motion& motion, FrameRange frames, PositionRule rule,
+                          std::string& out);
+
+}  // namespace marey
