@@ -14,6 +14,9 @@ import { PointerInput } from "./pointer_input";
 import { Program } from "./program";
 import { TextField } from "./text_field";
 
+/** Shown when the page's address asks for nothing else. */
+const firstSample = "walk";
+
 /** The started page: the program and everything that feeds it. */
 export class Application {
   readonly loop: FrameLoop;
@@ -53,10 +56,12 @@ export class Application {
     this.connect();
   }
 
-  /** Opens what the page's address asks for. What fails is said on the page. */
+  /** Opens what the page's address asks for, or the first sample. What fails is said on the page. */
   async openRequested({ src, sample }: Request): Promise<void> {
-    if (sample !== undefined) await this.loadSample(sample);
-    if (src === undefined) return;
+    if (src === undefined) {
+      await this.loadSample(sample ?? firstSample);
+      return;
+    }
     const response = await fetch(src).catch(() => undefined);
     if (!response?.ok) {
       const reason = response ? `the server answered ${response.status}` : "its server cannot be reached or does not allow it";
@@ -95,7 +100,7 @@ export class Application {
       wake();
     });
     new PointerInput(this.canvas, this.program, wake, () => this.loop.settleNow());
-    const shortcuts = (this.program.commands() as CommandInfo[]).map(({ shortcut }) => shortcut);
+    const shortcuts = (this.program.commands() as CommandInfo[]).map(({ shortcut }) => shortcut ?? "");
     new KeyboardInput(this.program, this.textField, shortcutChords(shortcuts), wake);
     window.addEventListener("paste", (event) => this.paste(event));
     document.addEventListener("visibilitychange", wake);

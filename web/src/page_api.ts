@@ -9,26 +9,73 @@ export interface Diagnostic {
   count: number;
 }
 
-/** What the page shows; frames count from 0. */
+export interface JointInfo {
+  name: string;
+  /** Index of the parent joint; -1 for a root. */
+  parent: number;
+  offset: [number, number, number];
+  channels: string[];
+}
+
+/** What the page shows. Frames, joints and channels count from 0. */
 export interface State {
-  file: string;
+  /** "walk.bvh"; null while nothing is open. */
+  file: string | null;
+  joints: JointInfo[];
+  channels: number;
   frames: number;
-  frame: number;
+  /** Seconds per frame. */
   frameTime: number;
-  playing: boolean;
+  /** Whether there are changes that were not downloaded. */
   dirty: boolean;
   undoDepth: number;
   redoDepth: number;
+  undoName: string | null;
+  redoName: string | null;
   diagnostics: Diagnostic[];
-  [more: string]: unknown;
+  positionRule: "replace" | "add";
+  upAxis: "X" | "Y" | "Z";
+  metresPerUnit: number;
+
+  frame: number;
+  /** In frames; between whole numbers while a clip plays slowly. */
+  position: number;
+  playing: boolean;
+  loop: boolean;
+  speed: number;
+  range: { first: number; count: number };
+
+  selection: {
+    joints: number[];
+    activeJoint: number | null;
+    /** The channels that the curve editor shows. */
+    channels: number[];
+    samples: { channel: number; first: number; count: number }[];
+  };
+
+  theme: "dark" | "light";
+  themeChoice: "system" | "dark" | "light";
+  interfaceScale: number;
+  /** One column, as on a phone. */
+  compact: boolean;
+  overlay: "none" | "palette" | "shortcuts" | "about" | "welcome";
+  sheet: "none" | "curves" | "joints" | "inspector";
+  /** What the page has said and nobody has closed yet. */
+  messages: { title: string; detail: string }[];
+  status: string;
 }
 
 export interface CommandInfo {
   id: string;
   label: string;
-  /** "Ctrl+Z"; empty for none. */
-  shortcut: string;
+  help: string;
+  /** "Ctrl+Z"; several are divided by ", ". */
+  shortcut: string | null;
   enabled: boolean;
+  /** Why the command cannot run now. */
+  reason: string | null;
+  /** Whether a toggle is on. */
+  checked?: boolean;
 }
 
 /** A visible widget, in CSS pixels of the page. */

@@ -1,0 +1,39 @@
+import { test as base, expect } from "@playwright/test";
+import { inRoot } from "../../../scripts/lib/shell.mjs";
+import { serveFolder } from "../../../scripts/lib/static_server.mjs";
+import { MareyPage } from "./marey_page.mjs";
+
+export { expect };
+
+/** Collects what no test of the page may cause: console errors, uncaught errors, requests to another host. */
+function watch(page, ownHosts) {
+  const problems = [];
+  page.on("console", (message) => {
+    if (["error", "warning"].includes(message.type())) problems.push(`console: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
+  page.on("request", (request) => {
+    const url = new URL(request.url());
+    if (!["data:", "blob:"].includes(url.protocol) && !ownHosts.includes(url.host)) problems.push(`request: ${request.url()}`);
+  });
+  return problems;
+}
+
+export const test = base.extend({
+  /** Address of the built site. */
+  site: [async ({}, use) => {
+    const server = await serveFolder(process.env.MAREY_SITE ?? inRoot("dist"));
+    await use(server.url);
+    await server.close();
+  }, { scope: "worker" }],
+
+  /** Problems that a test expects: it adds patterns, and what matches none fails the test. */
+  expectedProblems: async ({}, use) => use([]),
+
+  marey: async ({ page, site, expectedProblems }, use) => {
+    const problems = watch(page, [new URL(site).host]);
+    await use(new MareyPage(page, site));
+    const unexpected = problems.filter((problem) => !expectedProblems.some((pattern) => pattern.test(problem)));
+    expect(unexpected).toEqual([]);
+  },
+});
