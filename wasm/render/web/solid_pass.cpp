@@ -1,0 +1,107 @@
+#include "wasm/render/web/solid_pass.h"
+
+#include "wasm/render/web/shaders/common.h"
+#include "wasm/render/web/shaders/solid.h"
+
+namespace marey::app::gl {
+namespace {
+
+// Segments of a mesh: smooth at 200 pixels a bone, and cheap enough for 200 bones on a software renderer.
+constexpr int kBoneSides = 16;
+constexpr int kBoneRings = 9;
+constexpr int kCoarseBoneSides = 8;
+constexpr int kCoarseBoneRings = 4;
+constexpr int kBallRings = 10;
+
+ProgramSource solid_source(const char* name, const char* defines) {
+  return {name, defines, {kFrameBlock, kSolidShape, kSolidVertex}, {kFrameBlock, kColorSpace, kSolidFragment}};
+}
+
+}  // namespace
+
+Status SolidPass::start() {
+  const std::pair<Program*, ProgramSource> programs[] = {
+      {&bone_lit_, solid_source("bones", "#define BONE\n")},
+      {&ball_lit_, solid_source("joints", "#define BALL\n")},
+      {&bone_edge_, solid_source("bone outlines", "#define BONE\n#define EDGE\n")},
+      {&ball_edge_, solid_source("joint outlines", "#define BALL\n#define EDGE\n")},
+      {&bone_faded_, solid_source("strobe", "#define BONE\n#define FADED\n")},
+  };
+  for (const auto& [program, source] : programs) {
+    if (Status status = program->build(source); !status) return status;
+  }
+  bone_edge_width_ = bone_edge_.find_uniform("u_edge_width");
+  ball_edge_width_ = ball_edge_.find_uniform("u_edge_width");
+
+  bone_mesh_.create(make_bone_mesh(kBoneSides, kBoneRings));
+  coarse_bone_mesh_.create(make_bone_mesh(kCoarseBoneSides, kCoarseBoneRings));
+  ball_mesh_.create(make_ball_mesh(kBallRings));
+  bones_.create_bones(bone_mesh_);
+  outlined_bones_.create_bones(bone_mesh_);
+  faded_bones_.create_bones(coarse_bone_mesh_);
+  balls_.create_balls(ball_mesh_);
+  outlined_balls_.create_balls(ball_mesh_);
+  return {};
+}
+
+void SolidPass::upload(const Scene& scene) {
+  bones_.set(scene.bones);
+  balls_.set(scene.balls);
+  outlined_bones_.set(scene.outlined_bones);
+  outlined_balls_.set(scene.outlined_balls);
+  const bool faded_changed = faded_revision_ != scene.faded_revision || faded_count_ != scene.faded_bones.size();
+  if (faded_changed) faded_bones_.set(scene.faded_bones);
+  faded_revision_ = scene.faded_revision;
+  faded_count_ = scene.faded_bones.size();
+}
+
+void SolidPass::draw_faded() const {
+  if (faded_bones_.empty()) return;
+  bone_faded_.use();
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_CULL_FACE);
+  // Depth first, so that where poses overlap only the nearest is blended and the picture does not clot.
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  faded_bones_.draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  faded_bones_.draw();
+  glDisable(GL_BLEND);
+  glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void SolidPass::draw_figure() const {
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glEnable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
+  bone_lit_.use();
+  bones_.draw();
+  ball_lit_.use();
+  balls_.draw();
+}
+
+void SolidPass::draw_outlines(float width_pixels) const {
+  if (outlined_bones_.empty() && outlined_balls_.empty()) return;
+  // The far side of a slightly thicker solid shows as an edge all around the solid itself.
+  glCullFace(GL_FRONT);
+  bone_edge_.use();
+  glUniform1f(bone_edge_width_, width_pixels);
+  outlined_bones_.draw();
+  ball_edge_.use();
+  glUniform1f(ball_edge_width_, width_pixels);
+  outlined_balls_.draw();
+  glCullFace(GL_BACK);
+}
+
+void SolidPass::draw_casters(const Program& bone_program, const Program& ball_program) const {
+  bone_program.use();
+  bones_.draw();
+  ball_program.use();
+  balls_.draw();
+}
+
+}  // namespace marey::app::gl
