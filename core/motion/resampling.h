@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/base/result.h"
+#include "core/motion/motion.h"
+#include "core/skeleton/skeleton.h"
+
+namespace marey {
+
+/// The frames of `range`, as far as the motion has them; the same frame time.
+[[nodiscard]] Motion trimmed(const Motion& motion, FrameRange range);
+
+/// The same movement at another number of frames per second, from its first frame to the last that still fits.
+/// The motion's own rate is display_frame_rate_hz of its frame time, so ".0083333" to 30 Hz takes every fourth frame
+/// exactly. Frames that coincide keep their samples bit for bit; at the own rate all do, and so does the frame time.
+///
+/// Between frames, rotations of joints with two or three different neighbouring axes go by slerp along the short way and
+/// back to the angles nearest to those of the nearest frame: turns are kept (363 degrees stays 363), and the curves
+/// jump only where they did before. All other channels are linear: positions, hinges, unusual lists of rotations.
+///
+/// Error InvalidArgument: the rate is not a number above 0, or gives more than kMaxResampledSamples samples.
+[[nodiscard]] Result<Motion> resampled(const Skeleton& skeleton, const Motion& motion, double new_rate_hz);
+
+/// 1 GiB.
+inline constexpr double kMaxResampledSamples = 134'217'728.0;
+
+}  // namespace marey
