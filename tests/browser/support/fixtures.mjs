@@ -19,6 +19,10 @@ function watch(page, ownHosts) {
   return problems;
 }
 
+function rememberVisit() {
+  if (!localStorage.getItem("marey.preferences")) localStorage.setItem("marey.preferences", '{"welcomeSeen":true}');
+}
+
 export const test = base.extend({
   /** Address of the built site. */
   site: [async ({}, use) => {
@@ -30,7 +34,11 @@ export const test = base.extend({
   /** Problems that a test expects: it adds patterns, and what matches none fails the test. */
   expectedProblems: async ({}, use) => use([]),
 
-  marey: async ({ page, site, expectedProblems }, use) => {
+  /** Whether the page is opened for the first time ever, which shows the welcome. */
+  firstVisit: [false, { option: true }],
+
+  marey: async ({ page, site, expectedProblems, firstVisit }, use) => {
+    if (!firstVisit) await page.addInitScript(rememberVisit);
     const problems = watch(page, [new URL(site).host]);
     await use(new MareyPage(page, site));
     const unexpected = problems.filter((problem) => !expectedProblems.some((pattern) => pattern.test(problem)));
