@@ -9,8 +9,12 @@ export function readAddress(search: string, base: string): Request {
   const sample = parameters.get("sample");
   if (sample !== null && /^[\w-]+$/.test(sample)) return { sample };
   const src = parameters.get("src");
-  if (src === null || !URL.canParse(src, base)) return {};
-  return { src: new URL(src, base) };
+  if (src === null) return {};
+  try {
+    return { src: new URL(src, base) };
+  } catch {
+    return {};
+  }
 }
 
 /** Name of the file that a URL stands for, "walk.bvh". */

@@ -2,6 +2,7 @@ import createModule from "marey-app";
 import { type Request, fileNameOf } from "./address";
 import { readAsset } from "./assets";
 import { CanvasSize } from "./canvas_size";
+import { MareyError } from "../module/marey_error";
 import { type FailureKind, type Rescue, showFailure } from "./failure";
 import { Files } from "./files";
 import { FrameLoop } from "./frame_loop";
@@ -30,7 +31,7 @@ export class Application {
 
   constructor() {
     this.loop = new FrameLoop((nowMs) => this.program.frame(nowMs), (error) => this.fail("stopped", error));
-    this.files = new Files((name, bytes) => this.open(name, bytes));
+    this.files = new Files((name, bytes) => this.tryToOpen(name, bytes));
     const textElement = document.getElementById("text-input") as HTMLTextAreaElement;
     this.textField = new TextField(textElement, this.canvas, () => this.program, () => this.loop.request());
   }
@@ -46,7 +47,7 @@ export class Application {
     const module = await createModule({
       wasmBinary: wasm,
       host,
-      onAbort: (reason) => this.fail("stopped", reason),
+      onAbort: (reason) => this.fail(this.program ? "stopped" : "no-wasm", reason),
       print: (line) => console.info(line),
       printErr: (line) => console.error(line),
     });
@@ -71,11 +72,14 @@ export class Application {
     this.tryToOpen(fileNameOf(src), new Uint8Array(await response.arrayBuffer()));
   }
 
-  /** Throws a MareyError when the file is refused; the page shows it too. */
-  open(name: string, bytes: Uint8Array): void {
+  /** Takes the bytes over. Throws a MareyError when the file is refused; the program shows it too. */
+  open(name: string, bytes: Uint8Array<ArrayBuffer>): void {
     try {
       this.program.open(name, bytes);
-      this.opened = { name, bytes: bytes.slice() };
+      this.opened = { name, bytes };
+    } catch (error) {
+      if (!(error instanceof MareyError)) this.fail("stopped", error);
+      throw error;
     } finally {
       this.loop.request();
     }
@@ -99,14 +103,18 @@ export class Application {
       this.loop.drawNow();
       wake();
     });
-    new PointerInput(this.canvas, this.program, wake, () => this.loop.settleNow());
+    new PointerInput(this.canvas, this.program, {
+      wake,
+      settle: () => this.loop.settleNow(),
+      takeKeyboard: () => this.textField.takeKeyboard(),
+    });
     const shortcuts = (this.program.commands() as CommandInfo[]).map(({ shortcut }) => shortcut ?? "");
     new KeyboardInput(this.program, this.textField, shortcutChords(shortcuts), wake);
     window.addEventListener("paste", (event) => this.paste(event));
     document.addEventListener("visibilitychange", wake);
     watchSystemPreferences(wake);
     this.watchContext();
-    this.canvas.focus({ preventScroll: true });
+    this.textField.takeKeyboard();
   }
 
   private watchContext(): void {
@@ -143,11 +151,12 @@ export class Application {
     }
   }
 
-  private tryToOpen(name: string, bytes: Uint8Array): void {
+  private tryToOpen(name: string, bytes: Uint8Array<ArrayBuffer>): void {
     try {
       this.open(name, bytes);
-    } catch {
-      // The program shows why.
+    } catch (error) {
+      // The program says why it refused a file; it does not hear of one for which there is no memory.
+      if (error instanceof MareyError && error.code === "out_of_memory") showNotice(`${name} is too large. ${error.message}`);
     }
   }
 
@@ -157,7 +166,7 @@ export class Application {
     try {
       return { name: this.opened.name, bytes: this.program.save() };
     } catch {
-      return this.opened as Rescue;
+      return this.opened;
     }
   }
 }

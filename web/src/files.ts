@@ -1,7 +1,7 @@
 import { hideNotice, showNotice } from "./notice";
 
-/** Opens a file in the program; throws a MareyError that the program shows by itself. */
-export type OpenBytes = (name: string, bytes: Uint8Array) => void;
+/** Opens a file in the program; what is wrong with it is said on the page. */
+export type OpenBytes = (name: string, bytes: Uint8Array<ArrayBuffer>) => void;
 
 const looksLikeBvh = /^[\s\ufeff]*HIERARCHY\b/i;
 
@@ -35,7 +35,8 @@ export class Files {
     }
     const text = data.getData("text/plain");
     if (!looksLikeBvh.test(text)) return false;
-    this.openBytes("pasted.bvh", new TextEncoder().encode(text));
+    hideNotice();
+    this.open("pasted.bvh", new TextEncoder().encode(text));
     return true;
   }
 
@@ -56,24 +57,16 @@ export class Files {
   private async openFirst(files: File[]): Promise<void> {
     if (files.length === 0) return;
     const file = files.find(({ name }) => /\.bvh$/i.test(name)) ?? files[0]!;
-    let bytes: Uint8Array;
+    let bytes: Uint8Array<ArrayBuffer>;
     try {
       bytes = new Uint8Array(await file.arrayBuffer());
     } catch {
       showNotice(`${file.name} could not be read. Check that it still exists and that the browser may read it.`);
       return;
     }
-    this.openBytes(file.name, bytes);
-    if (files.length > 1) showNotice(`${files.length} files were given; ${file.name} was opened, one at a time.`);
-  }
-
-  private openBytes(name: string, bytes: Uint8Array): void {
     hideNotice();
-    try {
-      this.open(name, bytes);
-    } catch {
-      // The program shows why and keeps the document that was open.
-    }
+    this.open(file.name, bytes);
+    if (files.length > 1) showNotice(`${files.length} files were given; ${file.name} was opened, one at a time.`);
   }
 }
 

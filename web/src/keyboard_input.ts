@@ -23,7 +23,7 @@ export class KeyboardInput {
 
   private press(event: KeyboardEvent, down: boolean): void {
     if (event.isComposing || event.key === "Process" || event.key === "Unidentified" || isPaste(event)) return;
-    if (event.target instanceof HTMLButtonElement) return;
+    if (event.target instanceof Element && event.target.closest("#failure, #notice")) return;
     this.program.pressKey(event.code, event.key, down, event);
     // While Cmd is held, macOS does not tell of other keys' release.
     if (down && event.metaKey) this.program.pressKey(event.code, event.key, false, event);

@@ -1,10 +1,11 @@
 import type { Application } from "./application";
 import type { CommandInfo, Item, PageApi } from "./page_api";
 
-async function bytesOf(data: string | Uint8Array | ArrayBuffer | Blob): Promise<Uint8Array> {
+/** The bytes of what a caller hands over, a copy. */
+async function bytesOf(data: string | Uint8Array | ArrayBuffer | Blob): Promise<Uint8Array<ArrayBuffer>> {
   if (typeof data === "string") return new TextEncoder().encode(data);
   if (data instanceof Blob) return new Uint8Array(await data.arrayBuffer());
-  return data instanceof Uint8Array ? data : new Uint8Array(data);
+  return data instanceof Uint8Array ? new Uint8Array(data) : new Uint8Array(data.slice(0));
 }
 
 /** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */

@@ -25,7 +25,9 @@ export class PageHost implements Host {
 
   constructor(private readonly parts: PageParts) {
     window.addEventListener("beforeunload", (event) => {
-      if (this.dirty) event.preventDefault();
+      if (!this.dirty) return;
+      event.preventDefault();
+      event.returnValue = "";
     });
   }
 

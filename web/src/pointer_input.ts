@@ -7,21 +7,25 @@ const buttons: Record<number, Button> = { 0: Button.Left, 1: Button.Middle, 2: B
 const linesPerPixel = 1 / 100;
 const linesPerPage = 8;
 
+export interface PointerEffects {
+  /** Asks for a frame after input. */
+  wake(): void;
+  /** Draws at once after a finger was lifted, so that a text field that was tapped can raise the keyboard. */
+  settle(): void;
+  /** Brings the keyboard to the program. */
+  takeKeyboard(): void;
+}
+
 /** Sends mouse, pen, touch and wheel to the program. */
 export class PointerInput {
   private readonly touches: TouchGestures;
 
-  /**
-   * `wake` asks for a frame after input; `settle` draws at once after a finger was lifted, so that a text field that
-   * was tapped can raise the keyboard.
-   */
   constructor(
     private readonly canvas: HTMLCanvasElement,
     private readonly program: Program,
-    private readonly wake: () => void,
-    settle: () => void,
+    private readonly effects: PointerEffects,
   ) {
-    this.touches = new TouchGestures(program, wake, settle);
+    this.touches = new TouchGestures(program, effects);
     canvas.addEventListener("pointerdown", (event) => this.down(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
     canvas.addEventListener("pointerup", (event) => this.up(event));
@@ -35,6 +39,7 @@ export class PointerInput {
 
   private down(event: PointerEvent): void {
     this.canvas.setPointerCapture(event.pointerId);
+    this.effects.takeKeyboard();
     if (event.pointerType === "touch") {
       this.touches.down(event);
       return;
@@ -74,12 +79,12 @@ export class PointerInput {
   private leave(event: PointerEvent): void {
     if (event.pointerType === "touch") return;
     this.program.leavePointer();
-    this.wake();
+    this.effects.wake();
   }
 
   private sendPosition(event: PointerEvent): void {
     this.program.movePointer(kindOf(event), event.clientX, event.clientY, event);
-    this.wake();
+    this.effects.wake();
   }
 
   private sendButton(event: PointerEvent, down: boolean): void {
@@ -96,7 +101,7 @@ export class PointerInput {
     if (event.shiftKey && y === 0) [x, y] = [0, x];
     this.program.movePointer("mouse", event.clientX, event.clientY, event);
     this.program.turnWheel(x, y, event, event.ctrlKey);
-    this.wake();
+    this.effects.wake();
   }
 }
 

@@ -130,7 +130,7 @@ export class Program {
   private withBytes<T>(blocks: Uint8Array[], call: (...places: number[]) => T): T {
     const addresses = blocks.map((block) => this.module._malloc(Math.max(block.length, 1)));
     try {
-      if (addresses.includes(0)) throw new MareyError("limit_memory", "The browser gives no more memory.");
+      if (addresses.includes(0)) throw new MareyError("out_of_memory", "The browser gives no more memory.");
       blocks.forEach((block, i) => this.module.HEAPU8.set(block, addresses[i]));
       return call(...blocks.flatMap((block, i) => [addresses[i]!, block.length]));
     } finally {

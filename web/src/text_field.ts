@@ -41,7 +41,13 @@ export class TextField {
     this.isActive = wanted;
     this.composing = false;
     this.forgetTyped();
-    (wanted ? this.element : this.canvas).focus({ preventScroll: true });
+    this.takeKeyboard();
+  }
+
+  /** Brings the keyboard back from other elements of the page. */
+  takeKeyboard(): void {
+    const target = this.isActive ? this.element : this.canvas;
+    if (document.activeElement !== target) target.focus({ preventScroll: true });
   }
 
   /** The caret has moved or the text was changed by a key: earlier characters are no longer in front of the caret. */

@@ -31,8 +31,7 @@ export class TouchGestures {
 
   constructor(
     private readonly program: Program,
-    private readonly wake: () => void,
-    private readonly settle: () => void,
+    private readonly effects: { wake(): void; settle(): void },
   ) {}
 
   down(event: PointerEvent): void {
@@ -40,7 +39,7 @@ export class TouchGestures {
     if (this.fingers.size === 1) this.beginTouch(place(event), event);
     else if (this.fingers.size === 2) this.beginPinch(event);
     else this.endPinch(event);
-    this.wake();
+    this.effects.wake();
   }
 
   move(event: PointerEvent): void {
@@ -49,7 +48,7 @@ export class TouchGestures {
     if (this.phase.kind === "undecided") this.decide(this.phase.start, event);
     if (this.phase.kind === "drag") this.program.movePointer("touch", event.clientX, event.clientY, event);
     if (this.phase.kind === "pinch") this.pinch(this.phase.distance, this.phase.upright, event);
-    this.wake();
+    this.effects.wake();
   }
 
   up(event: PointerEvent): void {
@@ -58,9 +57,9 @@ export class TouchGestures {
     if (phase.kind === "undecided") this.click(Button.Left, phase.start, event);
     else this.release(event);
     this.finish();
-    this.settle();
+    this.effects.settle();
     this.program.leavePointer();
-    this.wake();
+    this.effects.wake();
   }
 
   cancel(event: PointerEvent): void {
@@ -68,14 +67,14 @@ export class TouchGestures {
     this.release(event);
     this.finish();
     this.program.leavePointer();
-    this.wake();
+    this.effects.wake();
   }
 
   private beginTouch(start: Finger, modifiers: ModifierState): void {
     const timer = window.setTimeout(() => {
       this.phase = { kind: "done" };
       this.click(Button.Right, start, modifiers);
-      this.wake();
+      this.effects.wake();
     }, longPressMs);
     this.phase = { kind: "undecided", start, timer };
     this.program.movePointer("touch", start.x, start.y, modifiers);
