@@ -9,7 +9,7 @@ import { makeOneFilePage } from "./one_file.mjs";
 
 const dist = (...parts) => inRoot("dist", ...parts);
 const wasm = (...parts) => inRoot("build", "wasm", ...parts);
-const isStatic = (path) => !/\.ts$|^host_library\.js$/.test(path);
+const isStatic = (path) => !/\.(ts|md)$|^host_library\.js$/.test(path);
 
 async function bundle(entry, outfile, options = {}) {
   const { build } = await import("esbuild");

@@ -10,7 +10,7 @@ const debianPackages = {
   page: [...emscripten, "xz-utils"],
   bench: ["libbenchmark-dev"],
   test: ["chromium", "universal-ctags"],
-  engines: ["firefox-esr", "xvfb", "libgl1-mesa-dri", "webkit2gtk-driver"],
+  engines: ["firefox-esr", "xvfb", "xauth", "libgl1-mesa-dri", "webkit2gtk-driver"],
 };
 
 // What stands for each group where there is no apt: programs to look for, and the packages to name.
@@ -23,7 +23,7 @@ const elsewhere = {
   page: { programs: [...emscripten.map(() => "em++"), "xz"], fedora: "emscripten xz", brew: "emscripten xz" },
   bench: { programs: [], fedora: "google-benchmark-devel", brew: "google-benchmark" },
   test: { programs: ["ctags"], fedora: "chromium ctags", brew: "universal-ctags" },
-  engines: { programs: [], fedora: "firefox xorg-x11-server-Xvfb webkitgtk6.0", brew: "" },
+  engines: { programs: ["xvfb-run"], fedora: "firefox xorg-x11-server-Xvfb webkitgtk6.0", brew: "" },
 };
 
 function isInstalled(name) {

@@ -2,7 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { dirname, join, normalize } from "node:path";
 import ts from "typescript";
 
 const maxFileLines = 400;
@@ -22,7 +22,7 @@ function findCppFunctions(files) {
     const args = ["-R", "--languages=C++", "--map-C++=+.h", "--kinds-C++=f", "--fields=+ne", "--output-format=json", "-f", "-", "."];
     const output = execFileSync("ctags", args, { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 });
     const tags = output.split("\n").filter(Boolean).map((line) => JSON.parse(line));
-    return tags.filter((tag) => tag.end).map(({ path, name, line, end }) => ({ path: path.slice(2), name, line, lines: end - line + 1 }));
+    return tags.filter((tag) => tag.end).map(({ path, name, line, end }) => ({ path: normalize(path), name, line, lines: end - line + 1 }));
   } finally {
     rmSync(folder, { recursive: true });
   }
