@@ -98,6 +98,7 @@ TEST(MoveEdit, SamplesThatAreNotFiniteStayAndLetTheFalloffPass) {
   EXPECT_EQ(after[1], 2.0);
   EXPECT_EQ(after[2], kInfinity);
   EXPECT_NEAR(after[3], 2.0, 0.01);
+  EXPECT_TRUE(reduced_to_changes(clip, make_move_edit(clip, selected(kCurve, {2, 1}), -kInfinity, {})).empty());
 }
 
 TEST(ValueEdit, GivesAllSelectedSamplesOneValue) {

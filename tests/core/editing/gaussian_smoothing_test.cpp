@@ -64,6 +64,12 @@ TEST(GaussianSmoothing, KeepsStraightLinesAroundMissingSamples) {
   }
 }
 
+TEST(GaussianSmoothing, MissingSamplesAndTheirOppositesWeighNothing) {
+  const std::vector<double> result = smoothed({0, 0, 9, kNan, 0}, 0.5);
+  // Only the pair at distance 2 is left: 9 / (1 + 2 e^-8).
+  EXPECT_NEAR(result[2], 8.99396572124777, 1e-12);
+}
+
 TEST(GaussianSmoothing, CurvesWithoutAFiniteSampleStay) {
   EXPECT_THAT(smoothed({kNan, kNan, kNan}, 2.0), Each(testing::IsNan()));
   EXPECT_THAT(smoothed({kInfinity}, 2.0), Each(kInfinity));

@@ -178,6 +178,14 @@ TEST_F(HistoryTest, AGestureIsOverOnceItWasUndone) {
   EXPECT_EQ(history.undo_depth(), 2);
 }
 
+TEST_F(HistoryTest, AGestureIsOverEvenIfItsStepIsRedoneAtOnce) {
+  ASSERT_TRUE(drag(7, 4));
+  history.undo(clip);
+  history.redo(clip);
+  ASSERT_TRUE(drag(7, 1));
+  EXPECT_EQ(history.undo_depth(), 2);
+}
+
 TEST_F(HistoryTest, AGestureIsOverOnceAnotherStepWasApplied) {
   ASSERT_TRUE(drag(7, 4));
   ASSERT_TRUE(apply("later", 1));
@@ -231,6 +239,26 @@ TEST_F(HistoryTest, MemoryIsBoundedAndTheOldestStepsGoFirst) {
   while (history.undo(clip)) EXPECT_EQ(history.bytes(), 3 * step_bytes);
   EXPECT_THAT(curve(), ElementsAre(2, 10, 20, 30));
   EXPECT_FALSE(history.is_saved());
+}
+
+TEST_F(HistoryTest, WhatADragCouldGiveBackCountsAsMemory) {
+  const std::size_t step_bytes = edit_bytes(setting("s", 0, {1}));
+  const std::size_t drag_bytes = step_bytes + sizeof(double) + sizeof("Move 2 samples of Hips Zrotation") - sizeof("s");
+  history = History(step_bytes + drag_bytes);
+  ASSERT_TRUE(apply("s", 1));
+  history.undo(clip);
+  ASSERT_TRUE(drag(7, 4));
+  EXPECT_EQ(history.bytes(), step_bytes + drag_bytes);
+  history.undo(clip);
+  EXPECT_EQ(history.bytes(), drag_bytes);
+  ASSERT_TRUE(apply("s", 1));
+  ASSERT_TRUE(apply("s", 2));
+  history.undo(clip);
+  history.undo(clip);
+  ASSERT_TRUE(drag(8, 4));
+  EXPECT_EQ(history.bytes(), drag_bytes);
+  history.cancel_gesture(clip, 8);
+  EXPECT_EQ(history.bytes(), 0u);
 }
 
 TEST_F(HistoryTest, TheSavedStateIsKnownAlsoAsTheOldest) {
