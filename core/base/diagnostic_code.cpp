@@ -35,7 +35,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::RepeatedChannelsLine, "repeated_channels_line", Severity::Warning, true},
     {Code::RepeatedOffset, "repeated_offset", Severity::Warning, true},
     {Code::MissingOffset, "missing_offset", Severity::Warning, true},
-    {Code::MissingChannels, "missing_channels", Severity::Note, false},
+    {Code::MissingChannels, "missing_channels", Severity::Warning, true},
     {Code::OffsetValueCount, "offset_value_count", Severity::Warning, true},
     {Code::OffsetBracketed, "offset_bracketed", Severity::Warning, true},
     {Code::LeafWithoutEndSite, "leaf_without_end_site", Severity::Note, true},

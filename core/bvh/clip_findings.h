@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/bvh/hierarchy_build.h"
+#include "core/bvh/report.h"
+#include "core/motion/motion.h"
+#include "core/skeleton/position_rule.h"
+
+namespace marey {
+
+/// Notes what is legal but unusual in a tree: leaves without End Site, bones without length, double names ...
+void note_tree_habits(const Hierarchy& hierarchy, Report& report);
+
+/// Decides for each OFFSET with several readings: the first reading whose bone lies in the plane of the motion, if all
+/// rotation is about one axis; else the first of all. Reports each decision.
+void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& report);
+
+/// What the position channels of the joints mean. Joints below the root vote: values nearer to OFFSET replace it, values
+/// nearer to 0 add to it. Reported wherever the two rules would differ.
+[[nodiscard]] PositionRule find_position_rule(const Hierarchy& hierarchy, const Motion& motion, Report& report);
+
+}  // namespace marey

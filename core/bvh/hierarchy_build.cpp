@@ -1,0 +1,195 @@
+#include "core/bvh/hierarchy_build.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/bvh/nesting_repair.h"
+#include "core/skeleton/skeleton_builder.h"
+
+namespace marey {
+namespace {
+
+class HierarchyBuilder {
+ public:
+  HierarchyBuilder(std::string_view text, HierarchyText hierarchy, const ReadLimits& limits, Report& report)
+      : text_(text), hierarchy_(std::move(hierarchy)), limits_(limits), report_(report) {}
+
+  Hierarchy build();
+
+ private:
+  void open(const BraceEvent& event);
+  void open_joint(RawBlock& block);
+  void add_end_site(const RawBlock& block);
+  void close(const BraceEvent& event);
+  void close_all(std::size_t place, bool at_end);
+  void note_node(const RawBlock& block);
+  glm::dvec3 offset_of(const RawBlock& block);
+
+  std::string_view text_;
+  HierarchyText hierarchy_;
+  const ReadLimits& limits_;
+  Report& report_;
+  SkeletonBuilder builder_;
+  std::vector<bool> open_is_joint_;
+  Hierarchy result_;
+};
+
+Hierarchy HierarchyBuilder::build() {
+  result_.needs_printing = hierarchy_.needs_printing;
+  for (const BraceEvent& event : hierarchy_.events) {
+    if (report_.failed()) return {};
+    if (event.closings > 0) {
+      close(event);
+    } else {
+      open(event);
+    }
+  }
+  if (!open_is_joint_.empty()) close_all(hierarchy_.end, hierarchy_.end >= text_.size());
+  if (builder_.joint_count() == 0) {
+    report_.fail(DiagnosticCode::MissingRoot, hierarchy_.end,
+                 "The hierarchy has no joint, so there is no figure to show. A BVH file describes one below ROOT.", "ROOT",
+                 hierarchy_.end >= text_.size() ? "the end of the file" : "MOTION");
+  }
+  if (report_.failed()) return {};
+  Result<Skeleton> skeleton = builder_.build();
+  if (skeleton) {
+    result_.skeleton = std::move(*skeleton);
+  } else {
+    report_.fail_without_place(skeleton.error().code, skeleton.error().message);
+  }
+  return std::move(result_);
+}
+
+void HierarchyBuilder::open(const BraceEvent& event) {
+  if (event.block == kNamelessBlock) {
+    open_is_joint_.push_back(false);
+    return;
+  }
+  RawBlock& block = hierarchy_.blocks[idx(event.block)];
+  if (block.kind == RawBlock::Kind::Root && !open_is_joint_.empty()) close_all(block.place, false);
+  if (block.kind == RawBlock::Kind::EndSite && !block.channels.empty()) {
+    result_.needs_printing = true;
+    report_.add_each(DiagnosticCode::EndSiteWithChannels, block.place,
+                     "The end site has channels, so it was read as a joint.", "JOINT", "End Site");
+    block.kind = RawBlock::Kind::Joint;
+    if (block.name.empty()) block.name = "End Site";
+  }
+  const bool is_joint = block.kind != RawBlock::Kind::EndSite;
+  if (is_joint) {
+    open_joint(block);
+  } else {
+    add_end_site(block);
+  }
+  if (block.has_body) {
+    open_is_joint_.push_back(is_joint);
+  } else if (is_joint) {
+    builder_.close_joint();
+  }
+}
+
+void HierarchyBuilder::open_joint(RawBlock& block) {
+  if (builder_.open_depth() >= limits_.max_depth) {
+    report_.fail(DiagnosticCode::LimitDepth, block.place,
+                 fmt::format("The joints are nested more than {} deep, which is the limit for a file.", limits_.max_depth));
+    return;
+  }
+  if (block.kind == RawBlock::Kind::Joint && builder_.open_depth() == 0) {
+    result_.needs_printing = true;
+    report_.add_each(DiagnosticCode::JointOutsideRoot, block.place,
+                     fmt::format("JOINT '{}' stands outside of any ROOT; it was read as a root.", quoted(block.name)),
+                     "ROOT", "JOINT");
+  }
+  builder_.open_joint(std::string(block.name), offset_of(block));
+  note_node(block);
+  for (const RawChannel& channel : block.channels) {
+    const bool other = channel.kind == ChannelKind::Other;
+    builder_.add_channel(channel.kind, other ? std::string(channel.keyword) : std::string());
+  }
+  if (block.has_body && !block.has_channels) {
+    report_.add_each(DiagnosticCode::MissingChannels, block.place,
+                     fmt::format("'{}' has no CHANNELS line; it was read as having no channels.", quoted(block.name)),
+                     "CHANNELS", "");
+  }
+}
+
+void HierarchyBuilder::add_end_site(const RawBlock& block) {
+  if (builder_.open_depth() == 0) {
+    result_.needs_printing = true;
+    report_.add_each(DiagnosticCode::UnexpectedToken, block.place, "This End Site belongs to no joint; it was left out.",
+                     "ROOT", "End Site");
+    return;
+  }
+  const glm::dvec3 offset = offset_of(block);
+  builder_.add_end_site(offset, std::string(block.name));
+  note_node(block);
+}
+
+void HierarchyBuilder::note_node(const RawBlock& block) {
+  result_.node_places.push_back(block.place);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool as_written = block.offset.count == 3;
+    result_.offset_slots.push_back(as_written ? block.offset.values[axis] : NumberSlot{});
+  }
+}
+
+glm::dvec3 HierarchyBuilder::offset_of(const RawBlock& block) {
+  glm::dvec3 offset(0.0);
+  if (!block.has_offset) {
+    if (block.has_body) {
+      report_.add_each(DiagnosticCode::MissingOffset, block.place,
+                       fmt::format("'{}' has no OFFSET; 0 0 0 was used.",
+                                   block.kind == RawBlock::Kind::EndSite ? "End Site" : quoted(block.name)),
+                       "OFFSET", "");
+    }
+  } else if (block.offset.count == 3) {
+    for (int axis = 0; axis < 3; ++axis) offset[axis] = block.offset.values[idx(axis)].value;
+  } else {
+    offset = block.offset_readings.front().offset;
+    if (block.offset_readings.size() > 1) result_.open_offsets.push_back({size_of(result_.node_places), block});
+  }
+  return offset;
+}
+
+void HierarchyBuilder::close(const BraceEvent& event) {
+  for (int i = 0; i < event.closings; ++i) {
+    if (open_is_joint_.empty()) {
+      result_.needs_printing = true;
+      std::size_t place = event.place;
+      for (int passed = 0; passed < i; ++passed) place = text_.find('}', place + 1);
+      report_.add_each(DiagnosticCode::SurplusClosingBrace, place,
+                       fmt::format("{} '}}' too many; left out.", event.closings - i), "MOTION", "}");
+      return;
+    }
+    if (open_is_joint_.back()) builder_.close_joint();
+    open_is_joint_.pop_back();
+  }
+}
+
+void HierarchyBuilder::close_all(std::size_t place, bool at_end) {
+  result_.needs_printing = true;
+  const auto missing = open_is_joint_.size();
+  if (at_end) {
+    report_.add(DiagnosticCode::UnexpectedEnd, place,
+                fmt::format("The file ends inside the hierarchy: {} '}}' are missing and were added. Joints behind this "
+                            "place are lost.",
+                            missing),
+                "}", "the end of the file");
+  } else {
+    report_.add_each(DiagnosticCode::MissingClosingBrace, place,
+                     fmt::format("{} '}}' are missing before this place; they were added.", missing), "}",
+                     quoted(TextCursor(text_, place).peek_word()));
+  }
+  while (builder_.open_depth() > 0) builder_.close_joint();
+  open_is_joint_.clear();
+}
+
+}  // namespace
+
+Hierarchy build_hierarchy(std::string_view text, HierarchyText hierarchy, const ReadLimits& limits, Report& report) {
+  join_blocks_closed_early(hierarchy, report);
+  return HierarchyBuilder(text, std::move(hierarchy), limits, report).build();
+}
+
+}  // namespace marey

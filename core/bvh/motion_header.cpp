@@ -1,0 +1,186 @@
+#include "core/bvh/motion_header.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/number_text.h"
+#include "core/bvh/joint_lines.h"
+#include "core/bvh/keyword.h"
+
+namespace marey {
+namespace {
+
+constexpr double kSlowestBelievable = 10.0;  ///< seconds per frame; from here on it is a rate in frames per second
+
+class MotionHeaderReader {
+ public:
+  MotionHeaderReader(TextCursor& cursor, Report& report) : cursor_(cursor), report_(report) {}
+
+  MotionHeader read();
+
+ private:
+  bool read_statement();
+  void read_frame_count();
+  void read_frame_time();
+  void pass_colon(std::string_view keyword);
+  void check_case(std::string_view right);
+  void report_missing_parts();
+
+  TextCursor& cursor_;
+  Report& report_;
+  MotionHeader result_;
+  std::optional<std::size_t> begin_;
+  bool has_keyword_ = false;
+  bool has_frame_time_ = false;
+};
+
+MotionHeader MotionHeaderReader::read() {
+  while (!report_.failed() && read_statement()) {
+  }
+  result_.data_begin = cursor_.offset();
+  report_missing_parts();
+  return result_;
+}
+
+/// False at the first sample and at the end.
+bool MotionHeaderReader::read_statement() {
+  skip_blanks_and_comments(cursor_, report_);
+  if (cursor_.at_end()) return false;
+  const std::size_t place = cursor_.offset();
+  if (!begin_) begin_ = place;
+  const std::string_view word = cursor_.peek_word();
+  switch (find_keyword(word)) {
+    case Keyword::Motion:
+      check_case("MOTION");
+      has_keyword_ = true;
+      return true;
+    case Keyword::Frames: read_frame_count(); return true;
+    case Keyword::Frame: read_frame_time(); return true;
+    default: break;
+  }
+  if (starts_like_number(word)) return false;
+  cursor_.take_word();
+  result_.needs_printing = true;
+  report_.add_each(DiagnosticCode::UnexpectedToken, place,
+                   fmt::format("'{}' means nothing here and was left out.", quoted(word)), "Frames: or Frame Time:",
+                   quoted(word));
+  return true;
+}
+
+/// Moves behind the letters of a keyword.
+void MotionHeaderReader::check_case(std::string_view right) {
+  const std::string_view found = cursor_.rest().substr(0, right.size());
+  if (found != right) {
+    report_.add(DiagnosticCode::KeywordCase, cursor_.offset(),
+                fmt::format("'{}' was read as {}; many other programs want the format's spelling.", quoted(found), right),
+                std::string(right), quoted(found));
+  }
+  cursor_.move_to(cursor_.offset() + found.size());
+}
+
+void MotionHeaderReader::pass_colon(std::string_view keyword) {
+  cursor_.skip_blanks_in_line();
+  if (cursor_.peek() == ':') {
+    cursor_.move_to(cursor_.offset() + 1);
+  } else {
+    result_.needs_printing = true;
+    report_.add_each(DiagnosticCode::UnexpectedToken, cursor_.offset(),
+                     fmt::format("The colon behind {} is missing; it was added.", keyword), ":",
+                     quoted(cursor_.peek_word()));
+  }
+  cursor_.skip_blanks();
+}
+
+void MotionHeaderReader::read_frame_count() {
+  constexpr double kLargestWhole = 9e15;
+  check_case("Frames");
+  pass_colon("Frames");
+  const std::string_view word = cursor_.peek_word();
+  const NumberRead number = read_number(word);
+  const bool whole = number.length > 0 && number.length == word.size() && number.value >= 0.0 &&
+                     number.value <= kLargestWhole && number.value == std::floor(number.value);
+  if (whole) {
+    result_.declared_frames = static_cast<std::int64_t>(number.value);
+    result_.frame_count_slot = {cursor_.offset(), word.size(), number.value};
+  } else {
+    result_.needs_printing = true;
+    report_.add(DiagnosticCode::MissingFrameCount, cursor_.offset(),
+                fmt::format("'{}' is not a frame count; the rows were counted instead.", quoted(word)), "a whole number",
+                quoted(word));
+  }
+  if (starts_like_number(word)) cursor_.take_word();
+}
+
+void MotionHeaderReader::read_frame_time() {
+  check_case("Frame");
+  cursor_.skip_blanks();
+  if (equal_ignoring_case(cursor_.rest().substr(0, 4), "Time")) check_case("Time");
+  pass_colon("Frame Time");
+  const std::size_t place = cursor_.offset();
+  const std::string_view word = cursor_.peek_word();
+  const bool comma = word.find(',') != std::string_view::npos && word.find('.') == std::string_view::npos;
+  const NumberRead number = read_number(word, comma ? ',' : '.');
+  if (!starts_like_number(word)) return;
+  cursor_.take_word();
+  has_frame_time_ = true;
+  result_.frame_time_slot = {place, word.size(), number.value};
+  if (comma) {
+    report_.add(DiagnosticCode::DecimalComma, place,
+                fmt::format("'{}' has a decimal comma, which was read as a point.", quoted(word)), "a decimal point",
+                quoted(word));
+  }
+  if (number.length != word.size() || !std::isfinite(number.value) || !(number.value > 0.0)) {
+    report_.add(DiagnosticCode::FrameTimeNotPositive, place,
+                fmt::format("Frame Time '{}' is no time; 1/30 of a second is used.", quoted(word)),
+                "seconds per frame", quoted(word));
+  } else if (number.value >= kSlowestBelievable) {
+    result_.frame_time_s = 1.0 / number.value;
+    report_.add(DiagnosticCode::FrameTimeLooksLikeRate, place,
+                fmt::format("Frame Time {} looks like frames per second; 1/{} of a second is used.", word, word),
+                "seconds per frame", quoted(word));
+  } else {
+    result_.frame_time_s = number.value;
+  }
+}
+
+void MotionHeaderReader::report_missing_parts() {
+  const std::size_t end = cursor_.offset();
+  const bool has_rows = !cursor_.at_end();
+  const bool has_part = has_frame_time_ || result_.declared_frames.has_value();
+  if (!has_keyword_) {
+    result_.needs_printing = result_.needs_printing || has_part || has_rows;
+    report_.add(DiagnosticCode::MissingMotion, begin_.value_or(end),
+                has_part || has_rows ? "The word MOTION is missing; it was added."
+                                     : "The file has no motion; the figure is shown in its rest pose.",
+                "MOTION", begin_ ? "" : "the end of the file");
+  } else if (!has_part && !has_rows) {
+    report_.add(DiagnosticCode::MissingMotion, end,
+                "Nothing stands behind MOTION; the figure is shown in its rest pose.", "Frames:", "the end of the file");
+  }
+  if (!has_part && !has_rows) return;
+  if (!result_.declared_frames) {
+    result_.needs_printing = true;
+    report_.add(DiagnosticCode::MissingFrameCount, end, "'Frames:' is missing; the rows were counted instead.", "Frames:",
+                "");
+  }
+  if (!has_frame_time_) {
+    result_.needs_printing = true;
+    report_.add(DiagnosticCode::MissingFrameTime, end, "'Frame Time:' is missing; 1/30 of a second is used.",
+                "Frame Time:", "");
+  }
+}
+
+}  // namespace
+
+bool starts_like_number(std::string_view word) {
+  if (word.empty()) return false;
+  const char first = word.front();
+  return is_digit(first) || first == '-' || first == '+' || first == '.' || is_not_finite_text(word);
+}
+
+MotionHeader read_motion_header(TextCursor& cursor, Report& report) {
+  return MotionHeaderReader(cursor, report).read();
+}
+
+}  // namespace marey

@@ -1,0 +1,165 @@
+#include "core/bvh/motion_survey.h"
+
+#include <algorithm>
+#include <map>
+
+#include "core/base/index.h"
+#include "core/bvh/format_guess.h"
+#include "core/bvh/motion_header.h"
+
+namespace marey {
+namespace {
+
+constexpr int kMostLines = 32;
+constexpr std::size_t kMostBytes = std::size_t{1} << 20;
+
+/// The first lines that hold values, without their line ends.
+std::vector<std::string_view> sample_lines(std::string_view rows) {
+  std::vector<std::string_view> lines;
+  rows = rows.substr(0, kMostBytes);
+  while (!rows.empty() && size_of(lines) < kMostLines) {
+    const std::string_view line = first_line(rows);
+    const bool cut_by_limit = line.size() == rows.size() && rows.size() == kMostBytes;
+    const std::string_view content = trimmed(line);
+    if (!content.empty() && !starts_like_number(content.substr(0, content.find_first_of(" \t")))) break;
+    if (!content.empty() && !(cut_by_limit && !lines.empty())) lines.push_back(line);
+    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
+  }
+  return lines;
+}
+
+/// The line to judge commas by: the first sampled one that has any. Where the sample has neither commas nor points, the
+/// first such line further on.
+std::string_view find_line_with_comma(std::string_view rows, const std::vector<std::string_view>& lines) {
+  for (const std::string_view line : lines) {
+    if (line.find_first_of(",;") != std::string_view::npos) return line;
+    if (line.find('.') != std::string_view::npos) return {};
+  }
+  const std::size_t comma = lines.empty() ? std::string_view::npos : rows.find(',');
+  if (comma == std::string_view::npos) return {};
+  const std::size_t line_end = rows.substr(0, comma).find_last_of("\r\n");
+  return first_line(rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
+}
+
+/// Commas are decimal signs if the line has no point and then has the right number of values.
+NumberLook find_look(std::string_view rows, const std::vector<std::string_view>& lines, int channel_count) {
+  const std::string_view line = find_line_with_comma(rows, lines);
+  if (line.empty()) return {};
+  const NumberLook decimal{',', false};
+  const NumberLook separated{'.', true};
+  if (line.find('.') != std::string_view::npos) return separated;
+  const bool decimal_fits = count_values(line, decimal) == channel_count;
+  const bool separated_fits = count_values(line, separated) == channel_count;
+  return decimal_fits || !separated_fits ? decimal : separated;
+}
+
+/// The most frequent number of values in a line.
+int usual_value_count(const std::vector<std::string_view>& lines, const NumberLook& look) {
+  std::map<int, int> lines_by_count;
+  for (const std::string_view line : lines) ++lines_by_count[count_values(line, look)];
+  int best = 0;
+  int most = 0;
+  for (const auto& [count, frequency] : lines_by_count) {
+    if (frequency > most) best = count;
+    most = std::max(most, frequency);
+  }
+  return 2 * most > size_of(lines) ? best : 0;
+}
+
+std::int64_t count_filled_lines(std::string_view rows) {
+  std::int64_t count = 0;
+  bool filled = false;
+  for (const char c : rows) {
+    if (is_line_end(c)) {
+      count += filled ? 1 : 0;
+      filled = false;
+    } else if (!is_blank(c)) {
+      filled = true;
+    }
+  }
+  return count + (filled ? 1 : 0);
+}
+
+/// Judges a file whose usual line has `usual` values, not one per channel.
+RowLayout judge_odd_lines(std::string_view rows, int usual, int channel_count, std::optional<std::int64_t> declared) {
+  if (usual == 0) return RowLayout::Stream;
+  const bool fits_in_multiples =
+      usual < channel_count ? channel_count % usual == 0 : usual % channel_count == 0;
+  const std::int64_t lines = count_filled_lines(rows);
+  if (declared && lines == *declared) return RowLayout::CutLines;
+  const bool values_add_up = declared && lines * usual >= *declared * channel_count &&
+                             (lines - 1) * usual < *declared * channel_count + usual;
+  if (fits_in_multiples || values_add_up) return RowLayout::Stream;
+  return lines > 1 ? RowLayout::CutLines : RowLayout::Stream;
+}
+
+/// Values of one row: views into the text, in the order of the channels.
+using SampledRow = std::vector<std::string_view>;
+
+/// The first rows that have one value per channel.
+std::vector<SampledRow> sample_rows(std::string_view rows, int channel_count, const MotionSurvey& survey) {
+  constexpr int kMostTokens = 4096;
+  const int most_rows = std::clamp(kMostTokens / channel_count, 3, kMostLines);
+  std::vector<SampledRow> result;
+  std::string_view rest = rows.substr(0, kMostBytes);
+  while (!rest.empty() && size_of(result) < most_rows) {
+    const bool stream = survey.layout == RowLayout::Stream;
+    std::string_view line = stream ? rest : first_line(rest);
+    const char* line_end = line.data() + line.size();
+    SampledRow row;
+    for (;;) {
+      line.remove_prefix(gap_length(line, survey.look));
+      if (line.empty() || (stream && size_of(row) == channel_count)) break;
+      row.push_back(line.substr(0, value_length(line, survey.look)));
+      line.remove_prefix(row.back().size());
+    }
+    if (size_of(row) == channel_count) result.push_back(std::move(row));
+    if (stream) line_end = line.data();
+    rest.remove_prefix(std::min(rest.size(), static_cast<std::size_t>(line_end - rest.data()) + (stream ? 0 : 1)));
+  }
+  return result;
+}
+
+std::string gap_between(std::string_view before, std::string_view behind) {
+  const char* begin = before.data() + before.size();
+  return {begin, static_cast<std::size_t>(behind.data() - begin)};
+}
+
+std::vector<ColumnStyle> learn_columns(const std::vector<SampledRow>& rows, int channel_count, const NumberLook& look,
+                                       std::string_view line_end) {
+  std::vector<ColumnStyle> columns(idx(channel_count));
+  columns[0].gap = line_end;
+  if (rows.empty()) return columns;
+  const SampledRow& last = rows.back();
+  for (int c = 1; c < channel_count; ++c) columns[idx(c)].gap = gap_between(last[idx(c) - 1], last[idx(c)]);
+  if (rows.size() > 1) columns[0].gap = gap_between(rows[rows.size() - 2].back(), last.front());
+  const std::vector<NumberFormat> formats = guess_formats(rows, look.point);
+  for (int c = 0; c < channel_count; ++c) {
+    ColumnStyle& column = columns[idx(c)];
+    column.format = formats[idx(c)];
+    if (column.gap.empty()) column.gap.assign(1, ' ');
+  }
+  return columns;
+}
+
+}  // namespace
+
+MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional<std::int64_t> declared_frames,
+                         std::string_view line_end) {
+  MotionSurvey survey;
+  const std::vector<std::string_view> lines = sample_lines(rows);
+  survey.look = find_look(rows, lines, channel_count);
+  survey.values_per_line = usual_value_count(lines, survey.look);
+  if (survey.values_per_line != channel_count && !lines.empty()) {
+    survey.layout = judge_odd_lines(rows, survey.values_per_line, channel_count, declared_frames);
+  }
+  const std::vector<SampledRow> sampled = sample_rows(rows, channel_count, survey);
+  survey.columns = learn_columns(sampled, channel_count, survey.look, line_end);
+  if (!sampled.empty()) {
+    const char* end = sampled.back().back().data() + sampled.back().back().size();
+    survey.bytes_per_row = static_cast<double>(end - rows.data()) / static_cast<double>(sampled.size());
+  }
+  return survey;
+}
+
+}  // namespace marey

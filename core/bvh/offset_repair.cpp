@@ -1,0 +1,89 @@
+#include "core/bvh/offset_repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/index.h"
+#include "core/base/number_text.h"
+
+namespace marey {
+namespace {
+
+using Words = std::vector<std::string>;
+
+OffsetReading reading_of(const Words& words) {
+  OffsetReading reading;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string word = axis < size_of(words) ? words[idx(axis)] : "0";
+    reading.offset[axis] = read_number(word).value;
+    reading.text += (axis > 0 ? " " : "") + word;
+  }
+  return reading;
+}
+
+bool is_whole(std::string_view word, bool sign_allowed) {
+  if (sign_allowed && !word.empty() && word.front() == '-') word.remove_prefix(1);
+  return !word.empty() && std::all_of(word.begin(), word.end(), is_digit);
+}
+
+/// Joins word i with word i + 1 wherever bit i of `joints` is set; empty when some pair cannot be a cut number.
+Words joined(const Words& words, unsigned joints) {
+  Words result;
+  for (int i = 0; i < size_of(words); ++i) {
+    if ((joints >> i & 1U) == 0) {
+      result.push_back(words[idx(i)]);
+      continue;
+    }
+    const bool overlaps = (joints >> (i + 1) & 1U) != 0;
+    if (overlaps || !is_whole(words[idx(i)], true) || !is_whole(words[idx(i + 1)], false)) return {};
+    result.push_back(words[idx(i)] + "." + words[idx(i + 1)]);
+    ++i;
+  }
+  return result;
+}
+
+void add_if_new(const OffsetReading& reading, std::vector<OffsetReading>& readings) {
+  const bool known = std::any_of(readings.begin(), readings.end(),
+                                 [&](const OffsetReading& other) { return other.offset == reading.offset; });
+  if (!known) readings.push_back(reading);
+}
+
+void add_joined_readings(const Words& words, std::vector<OffsetReading>& readings) {
+  const unsigned pairs = static_cast<unsigned>(words.size()) - 1;
+  for (unsigned joints = 1; joints < 1U << pairs; ++joints) {
+    const Words result = joined(words, joints);
+    if (result.size() == 3) add_if_new(reading_of(result), readings);
+  }
+}
+
+void add_readings_without_a_zero(const Words& words, std::vector<OffsetReading>& readings) {
+  for (int i = 0; i < size_of(words); ++i) {
+    if (read_number(words[idx(i)]).value != 0.0) continue;
+    Words rest = words;
+    rest.erase(rest.begin() + i);
+    add_if_new(reading_of(rest), readings);
+  }
+}
+
+}  // namespace
+
+std::vector<OffsetReading> find_offset_readings(std::string_view text, const OffsetRead& offset) {
+  Words words;
+  for (const NumberSlot& slot : offset.values) words.emplace_back(text.substr(slot.begin, slot.length));
+  std::vector<OffsetReading> readings;
+  const bool all_seen = offset.count == size_of(words);
+  if (all_seen && offset.count > 3) add_joined_readings(words, readings);
+  if (all_seen && offset.count == 4 && readings.empty()) add_readings_without_a_zero(words, readings);
+  if (readings.empty()) readings.push_back(reading_of(words));
+  return readings;
+}
+
+void report_offset_reading(std::string_view owner, std::size_t place, int value_count, const OffsetReading& reading,
+                           Report& report) {
+  report.add_each(DiagnosticCode::OffsetValueCount, place,
+                  fmt::format("The OFFSET of {} has {} values; it was read as {}.", owner, value_count, reading.text),
+                  "3 values", fmt::format("{} values", value_count));
+}
+
+}  // namespace marey

@@ -1,0 +1,145 @@
+#include "core/bvh/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/index.h"
+#include "core/bvh/clip_findings.h"
+#include "core/bvh/format_guess.h"
+#include "core/bvh/hierarchy_build.h"
+#include "core/bvh/hierarchy_text.h"
+#include "core/bvh/motion_header.h"
+#include "core/bvh/motion_rows.h"
+#include "core/bvh/text_encoding.h"
+
+namespace marey {
+namespace {
+
+std::string_view first_line_end(std::string_view text) {
+  const std::size_t at = text.find_first_of("\r\n");
+  if (at == std::string_view::npos) return "\n";
+  return text.substr(at, 2) == "\r\n" ? "\r\n" : text.substr(at, 1);
+}
+
+/// The blanks before the first OFFSET, if it stands alone in its line.
+std::string_view first_indent(std::string_view text, std::size_t offset_place) {
+  std::size_t begin = offset_place;
+  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
+  const bool alone = begin > 0 && is_line_end(text[begin - 1]) && begin < offset_place;
+  return alone ? text.substr(begin, offset_place - begin) : std::string_view("  ");
+}
+
+HeaderStyle learn_header_style(std::string_view text, const HierarchyText& hierarchy) {
+  constexpr std::size_t kMostNumbers = 1024;
+  HeaderStyle style;
+  style.line_end = first_line_end(text);
+  std::vector<std::string_view> numbers;
+  for (const RawBlock& block : hierarchy.blocks) {
+    if (block.offset.count != 3 || numbers.size() > kMostNumbers) continue;
+    for (const NumberSlot& slot : block.offset.values) numbers.push_back(text.substr(slot.begin, slot.length));
+  }
+  style.offset_format = guess_format(numbers, '.');
+  const auto first = std::find_if(hierarchy.blocks.begin(), hierarchy.blocks.end(),
+                                  [](const RawBlock& block) { return block.has_offset; });
+  if (first != hierarchy.blocks.end()) style.indent = first_indent(text, first->offset_place);
+  return style;
+}
+
+class BvhReader {
+ public:
+  BvhReader(const DecodedText& decoded, std::string_view whole_text, const ReadOptions& options, Report& report)
+      : text_(decoded.text), whole_text_(whole_text), begin_(decoded.begin), options_(options), report_(report) {}
+
+  BvhClip read();
+
+ private:
+  void read_hierarchy(TextCursor& cursor);
+  void read_motion();
+  void keep_style(MotionRows& rows);
+
+  std::string_view text_;
+  std::string_view whole_text_;  ///< with NUL bytes at its end
+  std::size_t begin_;
+  const ReadOptions& options_;
+  Report& report_;
+  BvhClip clip_;
+  Hierarchy hierarchy_;
+  MotionHeader header_;
+};
+
+BvhClip BvhReader::read() {
+  TextCursor cursor(text_, begin_);
+  read_hierarchy(cursor);
+  if (report_.failed()) return {};
+  header_ = read_motion_header(cursor, report_);
+  if (report_.failed()) return {};
+  read_motion();
+  if (report_.failed()) return {};
+  settle_open_offsets(hierarchy_, clip_.motion, report_);
+  note_tree_habits(hierarchy_, report_);
+  clip_.position_rule = find_position_rule(hierarchy_, clip_.motion, report_);
+  clip_.skeleton = std::move(hierarchy_.skeleton);
+  return std::move(clip_);
+}
+
+void BvhReader::read_hierarchy(TextCursor& cursor) {
+  HierarchyText hierarchy = read_hierarchy_text(cursor, options_.limits, report_);
+  if (report_.failed()) return;
+  clip_.style.header = learn_header_style(text_, hierarchy);
+  hierarchy_ = build_hierarchy(text_, std::move(hierarchy), options_.limits, report_);
+}
+
+void BvhReader::read_motion() {
+  const Skeleton& skeleton = hierarchy_.skeleton;
+  RowsInput input;
+  input.text = text_;
+  input.data_begin = header_.data_begin;
+  input.channel_count = skeleton.channel_count();
+  input.declared_frames = header_.declared_frames;
+  input.declared_place = header_.frame_count_slot.begin;
+  input.line_end = clip_.style.header.line_end;
+  MotionRows rows = read_motion_rows(input, options_.limits, report_);
+  if (report_.failed()) return;
+  const std::string_view behind = trimmed(text_.substr(rows.end));
+  if (!behind.empty()) {
+    report_.add(DiagnosticCode::TextAfterMotion, static_cast<std::size_t>(behind.data() - text_.data()),
+                fmt::format("The text behind the motion, beginning with '{}', is kept as it is.",
+                            quoted(TextCursor(behind, 0).take_word())),
+                "the end of the file", quoted(behind));
+  }
+  keep_style(rows);
+  clip_.motion = Motion(skeleton.channel_count(), rows.frame_count, header_.frame_time_s, std::move(rows.samples));
+}
+
+void BvhReader::keep_style(MotionRows& rows) {
+  BvhStyle& style = clip_.style;
+  style.motion = std::move(rows.style);
+  style.motion.tail = whole_text_.substr(rows.end);
+  if (hierarchy_.needs_printing || header_.needs_printing) return;
+  style.header_text.text = text_.substr(0, header_.data_begin);
+  style.header_text.skeleton = hierarchy_.skeleton;
+  style.header_text.offsets = std::move(hierarchy_.offset_slots);
+  style.header_text.frame_count = header_.frame_count_slot;
+  style.header_text.frame_time = header_.frame_time_slot;
+}
+
+}  // namespace
+
+Result<BvhClip> read_bvh(std::string_view text, const ReadOptions& options) {
+  DecodedText decoded;
+  Report encoding_report(text, options.strict);
+  decode_text(text, decoded, encoding_report);
+  if (encoding_report.failed()) return encoding_report.error();
+  const bool converted = decoded.encoding != TextEncoding::Bytes;
+  Report report(decoded.text, options.strict);
+  report.take_over(encoding_report.take_diagnostics());
+  BvhClip clip = BvhReader(decoded, converted ? std::string_view(decoded.converted) : text, options, report).read();
+  if (report.failed()) return report.error();
+  clip.style.encoding = decoded.encoding;
+  clip.diagnostics = report.take_diagnostics();
+  return clip;
+}
+
+}  // namespace marey

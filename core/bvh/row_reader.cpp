@@ -1,0 +1,190 @@
+#include "core/bvh/row_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/plain_number.h"
+
+namespace marey {
+namespace {
+
+/// Below this, digits and decimals of a number are those with which append_number() writes its value.
+constexpr std::uint64_t kSpellingIsUnique = std::uint64_t{1} << 51;
+
+/// Memory for odd tokens: small beside the samples, but enough for every token of a small file.
+std::size_t odd_token_bytes(std::int64_t frames, int channel_count) {
+  const auto samples = static_cast<std::size_t>(frames) * idx(channel_count);
+  return std::size_t{512} * 1024 + samples * sizeof(double) / 12;
+}
+
+/// Frames to make room for: as declared where that is believable, else what the bytes can hold.
+std::int64_t expected_frames(const RowsInput& input, const MotionSurvey& survey, std::int64_t most_frames) {
+  const std::string_view rows = input.text.substr(input.data_begin);
+  const auto shortest_row = static_cast<std::int64_t>(2) * input.channel_count;
+  const auto held = static_cast<std::int64_t>(rows.size()) / shortest_row + 1;
+  const double likely = survey.bytes_per_row > 0.0 ? static_cast<double>(rows.size()) / survey.bytes_per_row : 0.0;
+  const std::int64_t declared = input.declared_frames.value_or(held);
+  const bool believable = input.declared_frames && static_cast<double>(declared) <= 2.0 * likely + 16.0;
+  const std::int64_t wanted =
+      believable ? declared : std::min<std::int64_t>(std::count(rows.begin(), rows.end(), '\n') + 1, declared);
+  return std::min({wanted, held, most_frames});
+}
+
+std::int64_t frame_limit(const RowsInput& input, const ReadLimits& limits) {
+  const std::int64_t row_bytes = static_cast<std::int64_t>(sizeof(double)) * input.channel_count;
+  return std::min<std::int64_t>(limits.max_frames, limits.max_sample_bytes / row_bytes);
+}
+
+}  // namespace
+
+RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSurvey survey, Report& report)
+    : input_(input),
+      limits_(limits),
+      survey_(std::move(survey)),
+      report_(report),
+      channel_count_(input.channel_count),
+      at_(input.text.data() + input.data_begin),
+      end_(input.text.data() + input.text.size()),
+      most_frames_(frame_limit(input, limits)),
+      store_(channel_count_, expected_frames(input, survey_, most_frames_)),
+      odd_tokens_(odd_token_bytes(expected_frames(input, survey_, most_frames_), channel_count_)) {
+  for (const ColumnStyle& column : survey_.columns) {
+    HotColumn hot;
+    hot.gap_length = size_of(column.gap);
+    const std::size_t bytes = std::min(column.gap.size(), sizeof hot.gap_word);
+    std::copy_n(column.gap.data(), bytes, reinterpret_cast<char*>(&hot.gap_word));
+    // A gap that does not fit into a word takes the longer way.
+    const bool fits = !column.gap.empty() && column.gap.size() <= sizeof hot.gap_word;
+    hot.gap_mask = fits ? ~std::uint64_t{0} >> (64 - 8 * bytes) : 0;
+    hot.decimals = static_cast<std::int8_t>(column.format.decimals);
+    hot.fixed = column.format.form == NumberFormat::Form::Fixed;
+    hot_columns_.push_back(hot);
+  }
+}
+
+void RowReader::read_all() {
+  while (!report_.failed()) {
+    const bool predictable = frames() > 0 && !all_declared_read();
+    if (!(predictable && read_predicted_row()) && !read_irregular_row()) break;
+    if (frames() > most_frames_) fail_beyond_limit();
+  }
+  if (!report_.failed()) report_frame_count();
+}
+
+bool RowReader::read_predicted_row() {
+  const OddTokens::Mark mark = odd_tokens_.mark();
+  const char point = survey_.look.point;
+  double* row = store_.next_row();
+  const char* p = at_;
+  for (int channel = 0; channel < channel_count_; ++channel) {
+    const HotColumn& column = hot_columns_[idx(channel)];
+    const bool reachable = end_ - p > kPlainNumberReach + 8;
+    if (reachable && (detail::load_eight(p) & column.gap_mask) == column.gap_word && column.gap_mask != 0) {
+      const PlainNumber number = scan_plain_number(p + column.gap_length, point);
+      if (number.end != nullptr && column.fixed && number.decimals == column.decimals &&
+          number.has_point == (column.decimals > 0) && number.mantissa < kSpellingIsUnique &&
+          (number.integer_digits == 1 || (number.integer_digits > 1 && p[column.gap_length + number.negative] != '0'))) {
+        row[channel] = number.value();
+        p = number.end;
+        continue;
+      }
+    }
+    p = read_unpredicted_value(p, channel, row[channel]);
+    if (p == nullptr) {
+      odd_tokens_.go_back(mark);
+      return false;
+    }
+  }
+  at_ = p;
+  store_.commit_row();
+  return true;
+}
+
+/// A number that is not spelled as its column predicts, but sound and in its place; null if it is anything else.
+const char* RowReader::read_unpredicted_value(const char* p, int channel, double& value) {
+  const std::string_view gap = rest(p).substr(0, gap_length(rest(p), survey_.look));
+  const bool new_line_wanted = channel == 0;
+  if (gap.empty()) return nullptr;
+  if (survey_.layout != RowLayout::Stream && has_line_end(gap) != new_line_wanted) return nullptr;
+  const char* begin = p + gap.size();
+  const NumberRead number = read_number(rest(begin), survey_.look.point);
+  const char* end = begin + number.length;
+  if (number.length == 0 || number.out_of_range) return nullptr;
+  if (end != end_ && !is_separator(*end, survey_.look)) return nullptr;
+  value = number.value;
+  const std::string_view text(begin, number.length);
+  if (!text_is_predicted(channel, value, gap, text)) {
+    odd_tokens_.add(frames() * channel_count_ + channel, value, gap, text);
+  }
+  return end;
+}
+
+bool RowReader::text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) {
+  const ColumnStyle& column = survey_.columns[idx(channel)];
+  if (gap != column.gap) return false;
+  scratch_.clear();
+  append_number(value, column.format, scratch_);
+  return scratch_ == number;
+}
+
+void RowReader::fail_beyond_limit() {
+  if (most_frames_ == limits_.max_frames) {
+    report_.fail(DiagnosticCode::LimitFrames, offset_of(at_),
+                 fmt::format("The file has more than {} frames, which is the limit.", limits_.max_frames));
+  } else {
+    report_.fail(DiagnosticCode::LimitMemory, offset_of(at_),
+                 fmt::format("The file has more than {} frames of {} channels; they need more than the limit of {} bytes.",
+                             most_frames_, channel_count_, limits_.max_sample_bytes));
+  }
+}
+
+void RowReader::report_frame_count() {
+  if (!input_.declared_frames || *input_.declared_frames == frames()) return;
+  report_.add(DiagnosticCode::FrameCountMismatch, input_.declared_place,
+              fmt::format("'Frames:' says {}, the file holds {}; all {} are used.", *input_.declared_frames, frames(),
+                          frames()),
+              fmt::format("{} frames", *input_.declared_frames), fmt::format("{} frames", frames()));
+}
+
+MotionRows RowReader::take_result() {
+  MotionRows result;
+  result.frame_count = static_cast<int>(frames());
+  result.end = offset_of(at_);
+  result.samples = store_.take_samples();
+  result.style.columns = std::move(survey_.columns);
+  odd_tokens_.move_into(result.style);
+  return result;
+}
+
+namespace {
+
+/// Without channels there are no values to count, so the declared count is all there is.
+MotionRows rows_without_channels(const RowsInput& input, const ReadLimits& limits, Report& report) {
+  MotionRows rows;
+  rows.end = input.data_begin;
+  const std::int64_t frames = input.declared_frames.value_or(0);
+  if (frames > limits.max_frames) {
+    report.fail(DiagnosticCode::LimitFrames, input.declared_place,
+                fmt::format("The file declares {} frames; the limit is {}.", frames, limits.max_frames));
+    return rows;
+  }
+  rows.frame_count = static_cast<int>(frames);
+  return rows;
+}
+
+}  // namespace
+
+MotionRows read_motion_rows(const RowsInput& input, const ReadLimits& limits, Report& report) {
+  if (input.channel_count == 0) return rows_without_channels(input, limits, report);
+  RowReader reader(input, limits,
+                   survey_rows(input.text.substr(input.data_begin), input.channel_count, input.declared_frames,
+                               input.line_end),
+                   report);
+  reader.read_all();
+  return report.failed() ? MotionRows{} : reader.take_result();
+}
+
+}  // namespace marey

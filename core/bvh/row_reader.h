@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/bvh/motion_rows.h"
+#include "core/bvh/motion_survey.h"
+#include "core/bvh/odd_tokens.h"
+#include "core/bvh/sample_store.h"
+
+namespace marey {
+
+/// Reads one row after the other. A row that looks as the survey predicts costs one pass over its bytes (row_reader.cpp);
+/// any other is read again with care (irregular_rows.cpp), which is where every repair is.
+class RowReader {
+ public:
+  RowReader(const RowsInput& input, const ReadLimits& limits, MotionSurvey survey, Report& report);
+
+  /// Reads the rest of the rows.
+  void read_all();
+  [[nodiscard]] MotionRows take_result();
+
+ private:
+  /// What the hot loop wants to know about a column, in one cache line's reach.
+  struct HotColumn {
+    std::uint64_t gap_word = 0;  ///< the gap's bytes
+    std::uint64_t gap_mask = 0;
+    int gap_length = 0;
+    std::int8_t decimals = 0;
+    bool fixed = false;
+  };
+
+  /// How the values of an irregular row lie.
+  struct RowPlan {
+    int value_count = 0;             ///< values to read, at most one per channel
+    bool regular = true;             ///< nothing is added or left out
+    bool partial = false;            ///< the last row, cut off
+    const char* drop_to = nullptr;   ///< where to go on when values are left out
+  };
+
+  bool read_predicted_row();
+  const char* read_unpredicted_value(const char* p, int channel, double& value);
+  [[nodiscard]] bool text_is_predicted(int channel, double value, std::string_view gap, std::string_view number);
+
+  bool read_irregular_row();
+  const char* skip_gap(const char* p, bool& line_ends);
+  bool ends_here(const char* p);
+  bool settle_line_remainder(const char* p);
+  RowPlan plan_row(const char* p, bool shares_line);
+  RowPlan plan_short_line(const char* p, int count);
+  RowPlan plan_stream_row(const char* p);
+  void read_values(const char* p, const RowPlan& plan);
+  const char* read_value(const char* p, int channel, double& value, bool& kept_as_written);
+  double replace_value(const char* p, std::string_view word, int channel, DiagnosticCode code);
+  void drop_partial_row(const RowPlan& plan, const char* p);
+  void report_row_length(const char* p, int found);
+  void report_frame_count();
+  void fail_beyond_limit();
+
+  [[nodiscard]] std::string_view rest(const char* p) const { return {p, static_cast<std::size_t>(end_ - p)}; }
+  [[nodiscard]] std::size_t offset_of(const char* p) const { return static_cast<std::size_t>(p - input_.text.data()); }
+  [[nodiscard]] std::int64_t frames() const { return store_.frame_count(); }
+  /// True once all frames that the header declares are read; false when it declares none.
+  [[nodiscard]] bool all_declared_read() const { return input_.declared_frames && frames() >= *input_.declared_frames; }
+  [[nodiscard]] std::string_view word_at(const char* p) const {
+    return rest(p).substr(0, value_length(rest(p), survey_.look));
+  }
+
+  const RowsInput& input_;
+  const ReadLimits& limits_;
+  MotionSurvey survey_;
+  Report& report_;
+  int channel_count_;
+  const char* at_;   ///< behind the last value
+  const char* end_;
+  const char* shared_line_end_ = nullptr;  ///< several frames stand in the line that ends here
+  std::int64_t most_frames_;
+  std::vector<HotColumn> hot_columns_;
+  SampleStore store_;
+  OddTokens odd_tokens_;
+  std::string scratch_;
+};
+
+}  // namespace marey

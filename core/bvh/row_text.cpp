@@ -1,0 +1,35 @@
+#include "core/bvh/row_text.h"
+
+#include <algorithm>
+
+namespace marey {
+
+std::size_t value_length(std::string_view text, const NumberLook& look) {
+  std::size_t at = 1;
+  while (at < text.size() && !is_separator(text[at], look) && !runs_together(text, at)) ++at;
+  return std::min(at, text.size());
+}
+
+int count_values(std::string_view line, const NumberLook& look) {
+  int count = 0;
+  for (;;) {
+    line.remove_prefix(gap_length(line, look));
+    if (line.empty() || starts_comment(line)) return count;
+    line.remove_prefix(value_length(line, look));
+    ++count;
+  }
+}
+
+std::string_view first_line(std::string_view text) { return text.substr(0, text.find_first_of("\r\n")); }
+
+std::size_t gap_length(std::string_view text, const NumberLook& look) {
+  std::size_t at = 0;
+  while (at < text.size() && is_separator(text[at], look)) ++at;
+  return at;
+}
+
+bool has_line_end(std::string_view gap) { return gap.find_first_of("\r\n") != std::string_view::npos; }
+
+bool starts_comment(std::string_view text) { return text.substr(0, 1) == "#" || text.substr(0, 2) == "//"; }
+
+}  // namespace marey

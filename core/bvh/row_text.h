@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "core/base/text_cursor.h"
+
+namespace marey {
+
+/// How numbers are told apart in the rows of one file.
+struct NumberLook {
+  char point = '.';             ///< ',' when decimal commas are the habit of the file
+  bool commas_separate = false;  ///< a comma or semicolon between numbers counts as a blank
+};
+
+/// True for what may stand between two numbers.
+[[nodiscard]] inline bool is_separator(char c, const NumberLook& look) {
+  return is_blank(c) || (look.commas_separate && (c == ',' || c == ';'));
+}
+
+/// True if a number ends before text[at] because the sign of the next one stands there ("0.0-7.509").
+[[nodiscard]] inline bool runs_together(std::string_view text, std::size_t at) {
+  return at > 0 && (text[at] == '-' || text[at] == '+') && (is_digit(text[at - 1]) || text[at - 1] == '.');
+}
+
+/// Length of the value (or of a word in its place) at the start of `text`, which is no separator.
+[[nodiscard]] std::size_t value_length(std::string_view text, const NumberLook& look);
+
+/// Counts the values of `line`, up to a comment.
+[[nodiscard]] int count_values(std::string_view line, const NumberLook& look);
+
+/// The text up to the next line end.
+[[nodiscard]] std::string_view first_line(std::string_view text);
+
+/// Length of the separators at the start of `text`.
+[[nodiscard]] std::size_t gap_length(std::string_view text, const NumberLook& look);
+
+[[nodiscard]] bool has_line_end(std::string_view gap);
+
+/// True at "#" and "//".
+[[nodiscard]] bool starts_comment(std::string_view text);
+
+}  // namespace marey

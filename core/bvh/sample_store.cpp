@@ -1,0 +1,62 @@
+#include "core/bvh/sample_store.h"
+
+#include <algorithm>
+
+namespace marey {
+namespace {
+
+/// Rows per tile: long enough to fill cache lines when written out, small enough for the cache.
+int rows_per_tile(int channel_count) {
+  constexpr int kTileBytes = 128 * 1024;
+  const int fitting = kTileBytes / (static_cast<int>(sizeof(double)) * std::max(channel_count, 1));
+  return std::clamp(fitting, 4, 64);
+}
+
+}  // namespace
+
+SampleStore::SampleStore(int channel_count, std::int64_t expected_frames)
+    : channel_count_(channel_count),
+      tile_rows_(rows_per_tile(channel_count)),
+      capacity_(expected_frames),
+      tile_(idx(tile_rows_ + 1) * idx(channel_count)),
+      samples_(static_cast<std::size_t>(expected_frames) * idx(channel_count)) {}
+
+void SampleStore::flush() {
+  if (rows_in_tile_ == 0) return;
+  if (flushed_ + rows_in_tile_ > capacity_) change_capacity(flushed_ + rows_in_tile_ + capacity_ / 4);
+  for (int channel = 0; channel < channel_count_; ++channel) {
+    const double* from = tile_.data() + row_begin(0) + channel;
+    double* to = samples_.data() + static_cast<std::size_t>(channel) * static_cast<std::size_t>(capacity_) + flushed_;
+    for (int row = 0; row < rows_in_tile_; ++row) to[row] = from[idx(row) * idx(channel_count_)];
+  }
+  flushed_ += rows_in_tile_;
+  std::copy_n(previous_row(), channel_count_, tile_.data());
+  rows_in_tile_ = 0;
+}
+
+void SampleStore::change_capacity(std::int64_t frames) {
+  const auto old_stride = static_cast<std::size_t>(capacity_);
+  const auto new_stride = static_cast<std::size_t>(frames);
+  const auto used = static_cast<std::size_t>(flushed_);
+  if (new_stride > old_stride) {
+    std::vector<double> moved(new_stride * idx(channel_count_));
+    for (std::size_t c = 0; c < idx(channel_count_); ++c) {
+      std::copy_n(samples_.data() + c * old_stride, used, moved.data() + c * new_stride);
+    }
+    samples_ = std::move(moved);
+  } else {
+    for (std::size_t c = 1; c < idx(channel_count_); ++c) {
+      std::copy_n(samples_.data() + c * old_stride, used, samples_.data() + c * new_stride);
+    }
+    samples_.resize(new_stride * idx(channel_count_));
+  }
+  capacity_ = frames;
+}
+
+std::vector<double> SampleStore::take_samples() {
+  flush();
+  if (flushed_ != capacity_) change_capacity(flushed_);
+  return std::move(samples_);
+}
+
+}  // namespace marey

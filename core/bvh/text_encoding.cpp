@@ -1,0 +1,142 @@
+#include "core/bvh/text_encoding.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+
+namespace marey {
+namespace {
+
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
+constexpr std::string_view kUtf16LittleEndianMark = "\xff\xfe";
+constexpr std::string_view kUtf16BigEndianMark = "\xfe\xff";
+constexpr char32_t kReplacement = 0xfffd;
+
+bool begins_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
+
+unsigned byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
+
+void append_utf8(char32_t code_point, std::string& out) {
+  const auto add = [&out](char32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
+  if (code_point < 0x80) {
+    add(code_point);
+  } else if (code_point < 0x800) {
+    add(0xc0 | code_point >> 6);
+    add(0x80 | (code_point & 0x3f));
+  } else if (code_point < 0x10000) {
+    add(0xe0 | code_point >> 12);
+    add(0x80 | (code_point >> 6 & 0x3f));
+    add(0x80 | (code_point & 0x3f));
+  } else {
+    add(0xf0 | code_point >> 18);
+    add(0x80 | (code_point >> 12 & 0x3f));
+    add(0x80 | (code_point >> 6 & 0x3f));
+    add(0x80 | (code_point & 0x3f));
+  }
+}
+
+std::string utf8_from_utf16(std::string_view bytes, bool little_endian) {
+  const auto unit_at = [&](std::size_t at) {
+    const unsigned first = byte_at(bytes, at);
+    const unsigned second = byte_at(bytes, at + 1);
+    return static_cast<char32_t>(little_endian ? first | second << 8 : first << 8 | second);
+  };
+  std::string out;
+  out.reserve(bytes.size() / 2);
+  for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
+    const char32_t unit = unit_at(at);
+    const bool high = unit >= 0xd800 && unit < 0xdc00;
+    const char32_t next = high && at + 3 < bytes.size() ? unit_at(at + 2) : 0;
+    if (next >= 0xdc00 && next < 0xe000) {
+      append_utf8(0x10000 + ((unit - 0xd800) << 10) + (next - 0xdc00), out);
+      at += 2;
+    } else {
+      append_utf8(unit >= 0xd800 && unit < 0xe000 ? kReplacement : unit, out);
+    }
+  }
+  return out;
+}
+
+/// The code point at `at`, which moves on; bytes that are not UTF-8 count as Latin-1.
+char32_t take_code_point(std::string_view utf8, std::size_t& at) {
+  const unsigned first = byte_at(utf8, at++);
+  const int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc2 ? 1 : 0;
+  if (more == 0) return first;
+  char32_t code_point = first & (0x3fU >> more);
+  for (int i = 0; i < more; ++i) {
+    const std::size_t place = at + static_cast<std::size_t>(i);
+    if (place >= utf8.size() || (byte_at(utf8, place) & 0xc0U) != 0x80U) return first;
+    code_point = code_point << 6 | (byte_at(utf8, place) & 0x3fU);
+  }
+  at += static_cast<std::size_t>(more);
+  return code_point;
+}
+
+void drop_trailing_nuls(DecodedText& decoded, Report& report) {
+  const std::size_t last = decoded.text.find_last_not_of('\0');
+  const std::size_t size = last == std::string_view::npos ? 0 : last + 1;
+  if (size == decoded.text.size()) return;
+  if (trimmed(decoded.text.substr(0, size)).empty()) {
+    report.fail(DiagnosticCode::EmptyFile, 0,
+                fmt::format("The file holds nothing but {} NUL bytes; it was never written properly. Use another copy.",
+                            decoded.text.size()),
+                "HIERARCHY", "NUL");
+    return;
+  }
+  report.add(DiagnosticCode::TrailingNul, size,
+             fmt::format("{} NUL bytes stand behind the text; they are kept.", decoded.text.size() - size), "",
+             "NUL bytes");
+  decoded.text = decoded.text.substr(0, size);
+}
+
+}  // namespace
+
+void decode_text(std::string_view bytes, DecodedText& decoded, Report& report) {
+  decoded.text = bytes;
+  const bool little_endian = begins_with(bytes, kUtf16LittleEndianMark);
+  if (little_endian || begins_with(bytes, kUtf16BigEndianMark)) {
+    decoded.encoding = little_endian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
+    decoded.converted = utf8_from_utf16(bytes.substr(2), little_endian);
+    decoded.text = decoded.converted;
+    report.add(DiagnosticCode::Utf16Text, 0, "The file is UTF-16 and is saved so; most other programs want UTF-8.",
+               "UTF-8", "UTF-16");
+  } else if (begins_with(bytes, kUtf8Mark)) {
+    decoded.begin = kUtf8Mark.size();
+    report.add(DiagnosticCode::ByteOrderMark, 0,
+               "The file begins with a byte order mark, which is kept; some other programs refuse it.", "HIERARCHY",
+               "byte order mark");
+  } else if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0')) {
+    report.fail(DiagnosticCode::UnsupportedEncoding, 0,
+                "The file looks like UTF-16 without a byte order mark. Save it as UTF-8 and open it again.", "UTF-8",
+                "a NUL byte");
+    return;
+  }
+  drop_trailing_nuls(decoded, report);
+  if (!report.failed() && trimmed(decoded.text.substr(decoded.begin)).empty()) {
+    report.fail(DiagnosticCode::EmptyFile, 0, "The file is empty. Open a file written as BVH.", "HIERARCHY",
+                "the end of the file");
+  }
+}
+
+std::string encoded_as_utf16(std::string_view utf8, TextEncoding encoding) {
+  const bool little_endian = encoding == TextEncoding::Utf16LittleEndian;
+  std::string out(little_endian ? kUtf16LittleEndianMark : kUtf16BigEndianMark);
+  const auto add_unit = [&](char32_t unit) {
+    const char low = static_cast<char>(static_cast<unsigned char>(unit & 0xff));
+    const char high = static_cast<char>(static_cast<unsigned char>(unit >> 8 & 0xff));
+    out += little_endian ? low : high;
+    out += little_endian ? high : low;
+  };
+  for (std::size_t at = begins_with(utf8, kUtf8Mark) ? kUtf8Mark.size() : 0; at < utf8.size();) {
+    const char32_t code_point = take_code_point(utf8, at);
+    if (code_point < 0x10000) {
+      add_unit(code_point);
+    } else {
+      add_unit(0xd800 + ((code_point - 0x10000) >> 10));
+      add_unit(0xdc00 + ((code_point - 0x10000) & 0x3ff));
+    }
+  }
+  return out;
+}
+
+}  // namespace marey

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/bvh/report.h"
+#include "core/bvh/style.h"
+
+namespace marey {
+
+/// A file's bytes as text.
+struct DecodedText {
+  std::string_view text;     ///< the input itself, or `converted`; without NUL bytes at its end
+  std::size_t begin = 0;     ///< behind a byte order mark
+  std::string converted;     ///< UTF-8, where the file was UTF-16
+  TextEncoding encoding = TextEncoding::Bytes;
+
+  DecodedText() = default;
+  DecodedText(const DecodedText&) = delete;
+  DecodedText& operator=(const DecodedText&) = delete;
+};
+
+/// Finds out the encoding; fails for a file without text. Bytes that are not UTF-8 stay as they are. `report` belongs
+/// to the bytes of the file.
+void decode_text(std::string_view bytes, DecodedText& decoded, Report& report);
+
+/// UTF-8 (byte order mark optional) as UTF-16 with a byte order mark.
+[[nodiscard]] std::string encoded_as_utf16(std::string_view utf8, TextEncoding encoding);
+
+}  // namespace marey
