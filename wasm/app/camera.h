@@ -19,6 +19,7 @@ struct CameraPose {
   double yaw_rad = 0.0;      ///< 0 sees the front, positive goes to the figure's left
   double pitch_rad = 0.0;    ///< -pi/2 from below ... pi/2 from above
   double perspective = 1.0;  ///< 0 orthographic ... 1 the full opening angle
+  friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
 /// World axes as seen by a camera that looks at the front of a figure.

@@ -92,7 +92,8 @@ struct Scene {
   std::vector<SceneBone> outlined_bones;  ///< drawn as an edge in their colour around the same solid in `bones`
   std::vector<SceneBall> outlined_balls;
   std::vector<SceneBone> faded_bones;  ///< strobe poses: blended once per pixel, behind `bones`, no shadow
-  std::uint64_t faded_revision = 0;    ///< changes with faded_bones; equal means that the renderer may keep its copy
+  std::vector<SceneBall> faded_balls;
+  std::uint64_t faded_revision = 0;  ///< changes with the faded solids; equal: the renderer may keep its copy
   std::vector<SceneLinePoint> line_points;
   std::vector<SceneLine> lines;
 };

@@ -25,7 +25,8 @@ Status SolidPass::start() {
       {&ball_lit_, solid_source("joints", "#define BALL\n")},
       {&bone_edge_, solid_source("bone outlines", "#define BONE\n#define EDGE\n")},
       {&ball_edge_, solid_source("joint outlines", "#define BALL\n#define EDGE\n")},
-      {&bone_faded_, solid_source("strobe", "#define BONE\n#define FADED\n")},
+      {&bone_faded_, solid_source("strobe bones", "#define BONE\n#define FADED\n")},
+      {&ball_faded_, solid_source("strobe joints", "#define BALL\n#define FADED\n")},
   };
   for (const auto& [program, source] : programs) {
     if (Status status = program->build(source); !status) return status;
@@ -39,6 +40,7 @@ Status SolidPass::start() {
   bones_.create_bones(bone_mesh_);
   outlined_bones_.create_bones(bone_mesh_);
   faded_bones_.create_bones(coarse_bone_mesh_);
+  faded_balls_.create_balls(ball_mesh_);
   balls_.create_balls(ball_mesh_);
   outlined_balls_.create_balls(ball_mesh_);
   return {};
@@ -49,25 +51,31 @@ void SolidPass::upload(const Scene& scene) {
   balls_.set(scene.balls);
   outlined_bones_.set(scene.outlined_bones);
   outlined_balls_.set(scene.outlined_balls);
-  const bool faded_changed = faded_revision_ != scene.faded_revision || faded_count_ != scene.faded_bones.size();
-  if (faded_changed) faded_bones_.set(scene.faded_bones);
+  if (faded_known_ && faded_revision_ == scene.faded_revision) return;
+  faded_bones_.set(scene.faded_bones);
+  faded_balls_.set(scene.faded_balls);
   faded_revision_ = scene.faded_revision;
-  faded_count_ = scene.faded_bones.size();
+  faded_known_ = true;
 }
 
 void SolidPass::draw_faded() const {
-  if (faded_bones_.empty()) return;
-  bone_faded_.use();
+  if (faded_bones_.empty() && faded_balls_.empty()) return;
+  const auto draw_all = [this] {
+    bone_faded_.use();
+    faded_bones_.draw();
+    ball_faded_.use();
+    faded_balls_.draw();
+  };
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glEnable(GL_CULL_FACE);
   // Depth first, so that where poses overlap only the nearest is blended and the picture does not clot.
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  faded_bones_.draw();
+  draw_all();
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   glEnable(GL_BLEND);
-  faded_bones_.draw();
+  draw_all();
   glDisable(GL_BLEND);
   glClear(GL_DEPTH_BUFFER_BIT);
 }

@@ -29,15 +29,17 @@ class SolidPass {
   InstanceBatch outlined_bones_;
   InstanceBatch outlined_balls_;
   InstanceBatch faded_bones_;
+  InstanceBatch faded_balls_;
   Program bone_lit_;
   Program ball_lit_;
   Program bone_edge_;
   Program ball_edge_;
   Program bone_faded_;
+  Program ball_faded_;
   GLint bone_edge_width_ = -1;
   GLint ball_edge_width_ = -1;
+  bool faded_known_ = false;
   std::uint64_t faded_revision_ = 0;
-  std::size_t faded_count_ = 0;
 };
 
 }  // namespace marey::app::gl

@@ -56,6 +56,7 @@ Palette make_palette(const Theme& theme) {
 
 constexpr float kHoverLight = 0.4f;
 constexpr float kBallShade = 0.78f;
+constexpr float kGhostShare = 0.35f;
 
 }  // namespace
 
@@ -97,9 +98,16 @@ void add_faded_figure(const FigureShape& shape, const WorldPose& pose, const The
   SceneBone placed;
   for (const FigureBone& bone : shape.bones) {
     if (!place_bone(bone, pose, placed)) continue;
-    placed.color = glm::mix(palette.sides[static_cast<int>(bone.side)], ghost, 0.35f);
+    placed.color = glm::mix(palette.sides[static_cast<int>(bone.side)], ghost, kGhostShare);
     placed.color.a = alpha;
     scene.faded_bones.push_back(placed);
+  }
+  for (const FigureBall& ball : shape.balls) {
+    const glm::dvec3 center = ball_center(ball, pose);
+    if (!ball.is_head || !is_finite(center)) continue;
+    glm::vec4 color = glm::mix(palette.sides[static_cast<int>(ball.side)], ghost, kGhostShare);
+    color.a = alpha;
+    scene.faded_balls.push_back({glm::vec3(center), static_cast<float>(ball.radius), color});
   }
 }
 

@@ -143,6 +143,7 @@ void add_balls(const Skeleton& skeleton, const WorldPose& reference, FigureShape
     if (is_head(skeleton, here)) {
       const double length = bone_length(skeleton, reference, node);
       ball.radius = std::min(kHeadThickest * shape.size, kHeadOfLength * length);
+      ball.is_head = true;
       ball.share_to_parent = std::min(ball.radius / length, 0.5);
     }
     shape.balls.push_back(ball);

@@ -27,6 +27,7 @@ struct FigureBall {
   double radius = 0.0;
   BodySide side = BodySide::Middle;
   bool is_tip = false;
+  bool is_head = false;
   double share_to_parent = 0.0;  ///< 0 at the node ... 1 at its parent: a head sits between neck and top
 };
 

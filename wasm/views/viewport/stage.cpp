@@ -12,6 +12,8 @@ namespace {
 
 constexpr double kTravelSizes = 2.6;  // extent of the clip in figures beyond which it wanders
 
+constexpr double kEdgeOn = 0.03;       // sine of the angle between view and ground
+
 // Radius of the grid: around a figure at rest, and wide enough for the part of the ground in view.
 double fade_radius(const Stage& stage, const CameraPose& camera) {
   return std::max(5.0 * stage.size, 4.5 * camera.half_height);
@@ -60,7 +62,7 @@ Box drawn_reach(const Stage& stage, const CameraPose& camera) {
   return {glm::min(stage.bounds.low, center - radius), glm::max(stage.bounds.high, center + radius)};
 }
 
-void add_stage(const Stage& stage, const CameraPose& camera, const glm::dvec3& center, const Theme& theme,
+void add_stage(const Stage& stage, const CameraPose& camera, const Box& figure, const Theme& theme,
                const ViewOptions& options, Scene& scene) {
   const bool dark = theme.kind == ThemeKind::Dark;
   scene.background_top = scene_color(theme.viewport_top);
@@ -80,9 +82,23 @@ void add_stage(const Stage& stage, const CameraPose& camera, const glm::dvec3& c
   for (int i = 0; i < 2; ++i) ground.axis_colors[i] = scene_color(theme.axis[(up + 1 + i) % 3], 0.7f);
 
   scene.shadow.visible = options.show_shadow;
-  scene.shadow.center = glm::vec3(center);
-  scene.shadow.radius = static_cast<float>(0.95 * stage.size);
+  scene.shadow.center = glm::vec3(figure.center());
+  scene.shadow.radius = static_cast<float>(std::max(0.75 * stage.size, 0.5 * glm::length(figure.size())));
   scene.shadow.color = dark ? glm::vec4(0.0f, 0.0f, 0.0f, 0.72f) : glm::vec4(0.12f, 0.16f, 0.24f, 0.46f);
+}
+
+void add_ground_line(const Stage& stage, const CameraView& view, Scene& scene) {
+  const ViewAxes front = front_axes(stage.up);
+  if (!scene.ground.grid || std::abs(glm::dot(view.axes().back, front.up)) > kEdgeOn) return;
+  const glm::vec3 reach(view.axes().right * static_cast<double>(scene.ground.fade_radius));
+  const glm::vec4 color = scene.ground.line_color;
+  const glm::vec4 clear(glm::vec3(color), 0.0f);
+  const glm::vec3 center = scene.ground.center;
+  scene.lines.push_back({size_of(scene.line_points), 4, 1.0f});
+  scene.line_points.push_back({center - reach, clear});
+  scene.line_points.push_back({center - reach * 0.25f, color});
+  scene.line_points.push_back({center + reach * 0.25f, color});
+  scene.line_points.push_back({center + reach, clear});
 }
 
 }  // namespace marey::app

@@ -29,8 +29,11 @@ struct Stage {
 /// Box of all that a frame draws, for the camera's near and far plane.
 [[nodiscard]] Box drawn_reach(const Stage& stage, const CameraPose& camera);
 
-/// Background, light, ground and shadow of the scene. `center`: middle of the figure.
-void add_stage(const Stage& stage, const CameraPose& camera, const glm::dvec3& center, const Theme& theme,
+/// Background, light, ground and shadow of the scene. `figure`: box around the present pose.
+void add_stage(const Stage& stage, const CameraPose& camera, const Box& figure, const Theme& theme,
                const ViewOptions& options, Scene& scene);
+
+/// The ground as a line, for views that see the grid from its edge; nothing in others.
+void add_ground_line(const Stage& stage, const CameraView& view, Scene& scene);
 
 }  // namespace marey::app
