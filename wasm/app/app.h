@@ -22,6 +22,8 @@ struct WindowSize {
   float device_pixel_ratio = 1.0f;
 };
 
+struct AppParts;
+
 /// The program: a session, the commands on it and the views of it. Knows no browser and no GL: the platform feeds input
 /// to ImGui, calls frame(), draws scene() and then ImGui's draw data.
 class App {
@@ -52,8 +54,7 @@ class App {
   [[nodiscard]] Session& session();
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<AppParts> parts_;
 };
 
 }  // namespace marey::app

@@ -64,6 +64,10 @@ std::string CommandRegistry::label_of(const Command& command) {
   return command.live_label ? command.live_label() : command.label;
 }
 
+const char* CommandRegistry::icon_of(const Command& command) {
+  return command.live_icon ? command.live_icon() : command.icon;
+}
+
 std::string CommandRegistry::blocked_reason(const Command& command) {
   return command.blocked ? command.blocked() : std::string();
 }

@@ -28,6 +28,8 @@ struct Command {
   std::function<bool()> checked{};
   /// A label that depends on the state ("Undo move 12 samples"); not set: `label`.
   std::function<std::string()> live_label{};
+  /// An icon that depends on the state; not set: `icon`.
+  std::function<const char*()> live_icon = {};
   bool in_palette = true;
 };
 
@@ -43,6 +45,7 @@ class CommandRegistry {
   nlohmann::json run(std::string_view id, const nlohmann::json& args = nullptr);
 
   [[nodiscard]] static std::string label_of(const Command& command);
+  [[nodiscard]] static const char* icon_of(const Command& command);
   [[nodiscard]] static std::string blocked_reason(const Command& command);
   [[nodiscard]] static bool is_enabled(const Command& command) { return blocked_reason(command).empty(); }
 

@@ -149,6 +149,16 @@ void set_control_colors(ImGuiStyle& style, const Theme& theme) {
 
 Theme make_theme(ThemeKind kind) { return kind == ThemeKind::Dark ? make_dark_theme() : make_light_theme(); }
 
+Theme with_more_contrast(Theme theme) {
+  const bool dark = theme.kind == ThemeKind::Dark;
+  theme.text = dark ? rgb(0xFFFFFF) : rgb(0x000000);
+  theme.dim_text = dark ? rgb(0xC9D0D9) : rgb(0x363D46);
+  theme.line = dark ? rgb(0x4A515C) : rgb(0xB4BCC7);
+  theme.grid = dark ? rgb(0x6A7380) : rgb(0x87919F);
+  theme.ghost = dark ? rgb(0xA3ACB8) : rgb(0x737D8A);
+  return theme;
+}
+
 void apply_theme(const Theme& theme, bool touch) {
   ImGuiStyle& style = ImGui::GetStyle();
   set_measures(style, touch);

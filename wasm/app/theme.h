@@ -37,6 +37,9 @@ struct Theme {
 
 [[nodiscard]] Theme make_theme(ThemeKind kind);
 
+/// The theme for a projector: dim text and lines stand out more.
+[[nodiscard]] Theme with_more_contrast(Theme theme);
+
 /// Sets ImGui's style (colours, paddings, rounding) from the theme: 4 px grid, controls 28 px high (40 with touch).
 void apply_theme(const Theme& theme, bool touch);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/document/session.h"
@@ -17,6 +18,7 @@ namespace marey::app {
 /// What a panel needs to draw itself. Nobody keeps it beyond the call.
 struct ViewContext {
   Session& session;
+  std::uint64_t clip_serial = 0;  ///< grows with each opened file; a cache is valid for (clip_serial, revision)
   CommandRegistry& commands;
   ViewOptions& options;
   TimeWindow& time_window;  ///< shared by ruler and curves

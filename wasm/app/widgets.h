@@ -33,13 +33,15 @@ struct NumberFormat {
   float width = 96.0f;
 };
 
-/// What happened to a number field in this frame. A drag is Live in each frame with one GestureId from begin to end.
+/// What happened to a number field in this frame. A drag is Live in each frame with one GestureId from begin to end,
+/// then Committed or, on Escape, Cancelled. Typing and arrow keys are Committed; steps by arrow key share their
+/// GestureId while the field has the focus. Use it for Session::apply_gesture and cancel_gesture.
 enum class NumberEvent { None, Live, Committed, Cancelled };
 
 struct NumberResult {
   NumberEvent event = NumberEvent::None;
   double value = 0.0;
-  GestureId gesture = 0;  ///< same over one drag; use it for Document::apply_gesture
+  GestureId gesture = 0;
 };
 
 /// Number with its unit: drag to change, double click or Enter to type, arrow keys step, Escape reverts.
@@ -54,14 +56,26 @@ bool toggle(ViewContext& context, const std::string& id, std::string_view label,
 /// Panel title in the title face, 15 semibold, on one 32 px row.
 void panel_title(ViewContext& context, std::string_view title);
 
-/// Dim small text for labels and units.
-void dim_text(ViewContext& context, std::string_view text);
+/// Dim text for labels and units.
+void dim_text(const ViewContext& context, std::string_view text);
 
 /// Tool tip of the last item, shown after the usual delay: bold name, sentence, shortcut.
 void tool_tip(ViewContext& context, std::string_view name, std::string_view help, std::string_view shortcut = {});
 
+/// The same for an item that stands for a command, with the reason why it cannot run.
+void command_tool_tip(ViewContext& context, const Command& command);
+
 /// Text cut to `width` with an ellipsis in the middle; full text as tool tip when it was cut.
 void elided_text(ViewContext& context, std::string_view text, float width, ImU32 color);
+
+/// One device pixel in ImGui units.
+[[nodiscard]] float device_pixel();
+
+/// Line of one device pixel along the grid of device pixels; `from` and `to` differ in x or in y.
+void hairline(ImDrawList& draw_list, ImVec2 from, ImVec2 to, ImU32 color);
+
+/// Soft shadow around the current window. Call right after Begin of a popup, menu or tool tip.
+void popup_shadow(const ViewContext& context);
 
 /// A text from a file that may not be UTF-8: invalid bytes shown as U+FFFD.
 [[nodiscard]] std::string displayable(std::string_view bytes);

@@ -1,0 +1,202 @@
+#include <imgui.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+
+#include "wasm/app/app_parts.h"
+#include "wasm/app/shortcut.h"
+#include "wasm/app/widgets.h"
+
+namespace marey::app {
+namespace {
+
+constexpr int kFramesToSettle = 2;
+constexpr double kLongestStep_s = 1.0;
+
+const char* css_cursor_of(ImGuiMouseCursor cursor) {
+  switch (cursor) {
+    case ImGuiMouseCursor_None: return "none";
+    case ImGuiMouseCursor_TextInput: return "text";
+    case ImGuiMouseCursor_ResizeAll: return "move";
+    case ImGuiMouseCursor_ResizeNS: return "ns-resize";
+    case ImGuiMouseCursor_ResizeEW: return "ew-resize";
+    case ImGuiMouseCursor_ResizeNESW: return "nesw-resize";
+    case ImGuiMouseCursor_ResizeNWSE: return "nwse-resize";
+    case ImGuiMouseCursor_Hand: return "pointer";
+    case ImGuiMouseCursor_Wait: return "wait";
+    case ImGuiMouseCursor_Progress: return "progress";
+    case ImGuiMouseCursor_NotAllowed: return "not-allowed";
+    default: return "default";
+  }
+}
+
+bool is_menu_open() { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
+void update_window(AppParts& parts, const WindowSize& window, double elapsed_s) {
+  ViewOptions& options = parts.workspace.preferences.options;
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = ImVec2(window.css_width / options.interface_scale, window.css_height / options.interface_scale);
+  const float pixels_per_unit = window.device_pixel_ratio * options.interface_scale;
+  io.DisplayFramebufferScale = ImVec2(pixels_per_unit, pixels_per_unit);
+  io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, kLongestStep_s));
+  options.compact = io.DisplaySize.x < kCompactWidth;
+}
+
+ThemeKind wanted_theme(const Workspace& workspace) {
+  switch (workspace.preferences.theme) {
+    case ThemeChoice::Dark: return ThemeKind::Dark;
+    case ThemeChoice::Light: return ThemeKind::Light;
+    case ThemeChoice::System: break;
+  }
+  return workspace.system.dark ? ThemeKind::Dark : ThemeKind::Light;
+}
+
+void update_theme(AppParts& parts) {
+  Workspace& workspace = parts.workspace;
+  workspace.system = workspace.backend.system_preferences();
+  parts.theme = make_theme(wanted_theme(workspace));
+  if (workspace.preferences.options.projector) parts.theme = with_more_contrast(parts.theme);
+  apply_theme(parts.theme, workspace.preferences.options.touch);
+}
+
+// The innermost thing that is open, chosen or said goes first.
+void follow_escape(AppParts& parts) {
+  const ImGuiContext& imgui = *ImGui::GetCurrentContext();
+  if (!ImGui::IsKeyPressed(ImGuiKey_Escape, false) || imgui.ActiveId != 0 || is_menu_open()) return;
+  Workspace& workspace = parts.workspace;
+  Selection& selection = workspace.session.selection;
+  if (workspace.overlay != Overlay::None) {
+    workspace.overlay = Overlay::None;
+    workspace.preferences.welcome_seen = true;
+  } else if (!workspace.messages.list().empty()) {
+    workspace.messages.close(0);
+  } else if (!selection.samples().empty()) {
+    selection.samples().clear();
+  } else {
+    selection.clear_joints();
+  }
+}
+
+void follow_pointer_kind(AppParts& parts) {
+  const ImGuiIO& io = ImGui::GetIO();
+  if (io.MouseClicked[0]) parts.workspace.preferences.options.touch = io.MouseSource == ImGuiMouseSource_TouchScreen;
+}
+
+void begin_views(AppParts& parts) {
+  Workspace& workspace = parts.workspace;
+  parts.items.begin_frame();
+  parts.hover = parts.next_hover;
+  parts.next_hover = {};
+  const bool notice_is_fresh = workspace.now_s < workspace.notice_until_s;
+  parts.status = notice_is_fresh ? workspace.notice : std::string();
+  if (!notice_is_fresh && !workspace.notice.empty()) {
+    workspace.notice.clear();
+    parts.redraw = true;
+  }
+}
+
+void draw_window(AppParts& parts) {
+  ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
+  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+  ImGui::Begin("##marey", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoBackground |
+                   ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar(3);
+  ImGui::PushFont(parts.fonts.text, Fonts::kTextSize);
+  ViewContext context = parts.make_context();
+  parts.shell.draw(context, parts.workspace, parts.scene);
+  ImGui::PopFont();
+  ImGui::End();
+  ImGui::PushFont(parts.fonts.text, Fonts::kTextSize);
+  parts.shell.draw_overlays(context, parts.workspace);
+  ImGui::PopFont();
+}
+
+// Tells the page what it shows outside of the canvas, when it has changed.
+void report_to_page(AppParts& parts) {
+  Workspace& workspace = parts.workspace;
+  const Document& document = workspace.session.document;
+  const std::string name = ui::displayable(document.file_name());
+  if (name != parts.announced_name || document.is_dirty() != parts.announced_dirty) {
+    parts.announced_name = name;
+    parts.announced_dirty = document.is_dirty();
+    workspace.backend.set_document_state(name, parts.announced_dirty);
+  }
+  const char* cursor = css_cursor_of(ImGui::GetMouseCursor());
+  if (parts.mouse_cursor != cursor) {
+    parts.mouse_cursor = cursor;
+    workspace.backend.set_mouse_cursor(cursor);
+  }
+}
+
+void store_preferences(AppParts& parts) {
+  std::string written = write_preferences(parts.workspace.preferences);
+  if (written == parts.stored_preferences) return;
+  parts.workspace.backend.store_preferences(written);
+  parts.stored_preferences = std::move(written);
+}
+
+bool same_hover(const Hover& a, const Hover& b) { return a.joint == b.joint && a.channel == b.channel; }
+
+bool is_input_waiting() { return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0; }
+
+// A notice must vanish by itself: the page is asked for frames until it has.
+bool wants_more_frames(AppParts& parts, bool playing) {
+  if (is_input_waiting() || !same_hover(parts.hover, parts.next_hover)) parts.settling_frames = kFramesToSettle;
+  const bool settling = parts.settling_frames > 0;
+  if (settling) --parts.settling_frames;
+  const bool notice_shown = !parts.workspace.notice.empty();
+  return playing || parts.redraw || settling || notice_shown;
+}
+
+}  // namespace
+
+ViewContext AppParts::make_context() {
+  return {.session = workspace.session,
+          .clip_serial = clip_serial,
+          .commands = commands,
+          .options = workspace.preferences.options,
+          .time_window = time_window,
+          .theme = theme,
+          .fonts = fonts,
+          .items = items,
+          .hover = hover,
+          .next_hover = next_hover,
+          .status = status,
+          .now_s = workspace.now_s,
+          .redraw = redraw,
+          .widgets = widgets,
+          .system = workspace.system};
+}
+
+bool App::frame(const WindowSize& window, double now_s) {
+  AppParts& parts = *parts_;
+  Workspace& workspace = parts.workspace;
+  const double elapsed_s = parts.last_frame_s < 0.0 ? 0.0 : std::clamp(now_s - parts.last_frame_s, 0.0, kLongestStep_s);
+  parts.last_frame_s = workspace.now_s = now_s;
+  parts.redraw = false;
+  if (is_input_waiting()) parts.settling_frames = kFramesToSettle;
+
+  const bool playing = workspace.session.playback.advance(elapsed_s);
+  update_window(parts, window, elapsed_s);
+  update_theme(parts);
+  ImGui::NewFrame();
+  follow_pointer_kind(parts);
+  begin_views(parts);
+  if (!parts.commands.run_pressed_shortcut().empty()) parts.settling_frames = kFramesToSettle;
+  follow_escape(parts);
+  draw_window(parts);
+  if (!ImGui::GetIO().NavVisible && !is_menu_open()) keep_navigation_keys_for_shortcuts();
+  report_to_page(parts);
+  ImGui::Render();
+
+  const bool more = wants_more_frames(parts, playing);
+  if (!more) store_preferences(parts);
+  return more;
+}
+
+}  // namespace marey::app

@@ -1,0 +1,142 @@
+#include <imgui.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "core/base/diagnostic_code.h"
+#include "wasm/app/app_parts.h"
+#include "wasm/app/widgets.h"
+
+namespace marey::app {
+namespace {
+
+using nlohmann::json;
+
+json optional_text(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+
+json joint_list(const Skeleton& skeleton) {
+  json joints = json::array();
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    json channels = json::array();
+    for (const Channel& channel : skeleton.channels(joint)) {
+      channels.push_back(channel.kind == ChannelKind::Other ? ui::displayable(channel.other_name)
+                                                            : std::string(channel_keyword(channel.kind)));
+    }
+    const glm::dvec3& offset = skeleton.offset(joint);
+    joints.push_back({{"name", ui::displayable(skeleton.name(joint))},
+                      {"parent", skeleton.parent(joint)},
+                      {"offset", {offset.x, offset.y, offset.z}},
+                      {"channels", std::move(channels)}});
+  }
+  return joints;
+}
+
+json sample_runs(const SampleSelection& samples) {
+  json runs = json::array();
+  for (const SampleRun& run : samples.runs()) {
+    runs.push_back({{"channel", run.channel}, {"first", run.frames.first}, {"count", run.frames.count}});
+  }
+  return runs;
+}
+
+json selection_state(const Session& session) {
+  const Selection& selection = session.selection;
+  const JointIndex active = selection.active_joint();
+  return {{"joints", selection.joints()},
+          {"activeJoint", active == kNoParent ? json(nullptr) : json(active)},
+          {"channels", selection.shown_channels(session.document.skeleton())},
+          {"samples", sample_runs(selection.samples())}};
+}
+
+json diagnostic_list(const Diagnostics& diagnostics) {
+  json list = json::array();
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    list.push_back({{"severity", severity_name(diagnostic.severity)},
+                    {"code", diagnostic_id(diagnostic.code)},
+                    {"line", diagnostic.place.line},
+                    {"column", diagnostic.place.column},
+                    {"message", ui::displayable(diagnostic.message)},
+                    {"count", diagnostic.count}});
+  }
+  return list;
+}
+
+json message_list(const Messages& messages) {
+  json list = json::array();
+  for (const Message& message : messages.list()) list.push_back({{"title", message.title}, {"detail", message.detail}});
+  return list;
+}
+
+const char* axis_name(Axis axis) { return axis == Axis::X ? "X" : axis == Axis::Y ? "Y" : "Z"; }
+
+void add_document(json& state, const Document& document) {
+  const History& history = document.history();
+  const ClipSettings& settings = document.settings();
+  state["file"] = optional_text(ui::displayable(document.file_name()));
+  state["joints"] = joint_list(document.skeleton());
+  state["channels"] = document.motion().channel_count();
+  state["frames"] = document.motion().frame_count();
+  state["frameTime"] = document.motion().frame_time_s();
+  state["dirty"] = document.is_dirty();
+  state["undoDepth"] = history.undo_depth();
+  state["redoDepth"] = history.redo_depth();
+  state["undoName"] = optional_text(history.undo_name());
+  state["redoName"] = optional_text(history.redo_name());
+  state["diagnostics"] = diagnostic_list(document.diagnostics());
+  state["positionRule"] = settings.position_rule == PositionRule::Replace ? "replace" : "add";
+  state["upAxis"] = axis_name(settings.up_axis);
+  state["metresPerUnit"] = settings.metres_per_unit;
+}
+
+void add_playback(json& state, const Playback& playback) {
+  state["frame"] = playback.frame();
+  state["position"] = playback.position();
+  state["playing"] = playback.is_playing();
+  state["loop"] = playback.loops();
+  state["speed"] = playback.speed();
+  state["range"] = {{"first", playback.range().first}, {"count", playback.range().count}};
+}
+
+constexpr const char* kOverlayNames[] = {"none", "palette", "shortcuts", "about", "welcome"};
+constexpr const char* kSheetNames[] = {"none", "curves", "joints", "inspector"};
+
+void add_interface(json& state, const AppParts& parts) {
+  const Workspace& workspace = parts.workspace;
+  state["theme"] = parts.theme.kind == ThemeKind::Dark ? "dark" : "light";
+  state["themeChoice"] = theme_choice_name(workspace.preferences.theme);
+  state["interfaceScale"] = workspace.preferences.options.interface_scale;
+  state["compact"] = workspace.preferences.options.compact;
+  state["overlay"] = kOverlayNames[static_cast<int>(workspace.overlay)];
+  state["sheet"] = kSheetNames[static_cast<int>(workspace.preferences.sheet)];
+  state["messages"] = message_list(workspace.messages);
+  state["status"] = parts.status;
+}
+
+}  // namespace
+
+nlohmann::json App::state() const {
+  json state = json::object();
+  add_document(state, parts_->workspace.session.document);
+  add_playback(state, parts_->workspace.session.playback);
+  state["selection"] = selection_state(parts_->workspace.session);
+  add_interface(state, *parts_);
+  return state;
+}
+
+nlohmann::json App::commands() const {
+  json list = json::array();
+  for (const Command& command : parts_->commands.all()) {
+    const std::string reason = CommandRegistry::blocked_reason(command);
+    json entry = {{"id", command.id},
+                  {"label", CommandRegistry::label_of(command)},
+                  {"help", command.help},
+                  {"shortcut", optional_text(command.shortcut)},
+                  {"enabled", reason.empty()},
+                  {"reason", optional_text(reason)}};
+    if (command.checked) entry["checked"] = command.checked();
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+}  // namespace marey::app

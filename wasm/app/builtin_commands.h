@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "wasm/app/commands.h"
+#include "wasm/app/workspace.h"
+
+namespace marey::app {
+
+/// The commands of the shell; those of a view are registered by the view. `workspace` outlives the registry.
+/// Arguments are documented in docs/page-api.md.
+void add_file_commands(CommandRegistry& registry, Workspace& workspace);
+void add_edit_commands(CommandRegistry& registry, Workspace& workspace);
+void add_play_commands(CommandRegistry& registry, Workspace& workspace);
+void add_view_commands(CommandRegistry& registry, Workspace& workspace);
+void add_clip_commands(CommandRegistry& registry, Workspace& workspace);
+void add_help_commands(CommandRegistry& registry, Workspace& workspace);
+
+/// "walk.bvh" for "walk.bvh", "walk.BVH", "walk.txt" and "walk"; "clip.bvh" for an empty name.
+[[nodiscard]] std::string download_name(std::string_view file_name);
+
+/// Why a command that needs an open clip cannot run; "" when it can.
+[[nodiscard]] std::string needs_clip(const Workspace& workspace);
+/// The same for one that needs frames.
+[[nodiscard]] std::string needs_frames(const Workspace& workspace);
+
+}  // namespace marey::app

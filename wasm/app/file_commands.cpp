@@ -1,0 +1,80 @@
+#include <cctype>
+
+#include "wasm/app/builtin_commands.h"
+#include "wasm/app/icons.h"
+#include "wasm/app/samples.h"
+
+namespace marey::app {
+namespace {
+
+using nlohmann::json;
+
+json download(Workspace& workspace) {
+  Document& document = workspace.session.document;
+  const std::string name = download_name(document.file_name());
+  const std::string text = document.save_text();
+  workspace.backend.download(name, text);
+  document.mark_saved();
+  workspace.notify("Downloaded " + name + ".");
+  return {{"name", name}, {"bytes", text.size()}};
+}
+
+Command make_sample_command(const Sample& sample, Workspace& workspace) {
+  Command command;
+  command.id = "file.sample." + std::string(sample.id);
+  command.label = "Open sample: " + std::string(sample.title);
+  command.help = std::string(sample.summary) + ".";
+  command.icon = icons::kShapes;
+  command.run = [&workspace, id = sample.id](const json&) -> json {
+    workspace.overlay = Overlay::None;
+    workspace.preferences.welcome_seen = true;
+    workspace.backend.load_sample(id);
+    return nullptr;
+  };
+  return command;
+}
+
+}  // namespace
+
+std::string download_name(std::string_view file_name) {
+  const std::size_t dot = file_name.rfind('.');
+  const std::string_view stem = file_name.substr(0, dot == 0 ? std::string_view::npos : dot);
+  return (stem.empty() ? std::string("clip") : std::string(stem)) + ".bvh";
+}
+
+std::string needs_clip(const Workspace& workspace) { return workspace.has_clip() ? "" : "Open a file first."; }
+
+std::string needs_frames(const Workspace& workspace) {
+  if (!workspace.has_clip()) return needs_clip(workspace);
+  return workspace.has_frames() ? "" : "This clip has no frames.";
+}
+
+void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
+  registry.add({.id = "file.open",
+                .label = "Open…",
+                .help = "Opens a BVH file from this computer. Dropping it anywhere on the page does the same.",
+                .shortcut = "Ctrl+O",
+                .icon = icons::kFolderOpen,
+                .run = [&workspace](const json&) -> json {
+                  workspace.backend.ask_for_file();
+                  return nullptr;
+                }});
+  registry.add({.id = "file.save",
+                .label = "Download",
+                .help = "Saves the clip as a BVH file. What was not edited comes out unchanged.",
+                .shortcut = "Ctrl+S",
+                .icon = icons::kDownload,
+                .run = [&workspace](const json&) { return download(workspace); },
+                .blocked = [&workspace] { return needs_clip(workspace); }});
+  registry.add({.id = "file.samples",
+                .label = "Samples…",
+                .help = "Shows the clips that come with Marey.",
+                .icon = icons::kShapes,
+                .run = [&workspace](const json&) -> json {
+                  workspace.overlay = Overlay::Welcome;
+                  return nullptr;
+                }});
+  for (const Sample& sample : kSamples) registry.add(make_sample_command(sample, workspace));
+}
+
+}  // namespace marey::app

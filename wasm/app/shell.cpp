@@ -1,0 +1,166 @@
+#include "wasm/app/shell.h"
+
+#include <algorithm>
+
+#include "wasm/app/widgets.h"
+#include "wasm/views/sheet_tabs.h"
+
+namespace marey::app {
+namespace {
+
+constexpr float kSplitterReach = 8.0f;
+
+// Where a region meets the one before it, it draws a hairline.
+enum Edge : unsigned { kNoEdge = 0, kTop = 1, kLeft = 2, kRight = 4 };
+
+struct Place {
+  const char* name;
+  const Region& region;
+  ImU32 ground;  ///< 0: what lies behind shows through
+  unsigned edges = kNoEdge;
+};
+
+void draw_edges(const ViewContext& context, const Place& place) {
+  ImDrawList& lines = *ImGui::GetWindowDrawList();
+  const ImVec2 min = place.region.min;
+  const ImVec2 max = place.region.max;
+  const float right = max.x - ui::device_pixel();
+  if ((place.edges & kTop) != 0) ui::hairline(lines, min, ImVec2(max.x, min.y), context.theme.line);
+  if ((place.edges & kLeft) != 0) ui::hairline(lines, min, ImVec2(min.x, max.y), context.theme.line);
+  if ((place.edges & kRight) != 0) ui::hairline(lines, ImVec2(right, min.y), ImVec2(right, max.y), context.theme.line);
+}
+
+// One view in its region: a child window that shares ImGui's keyboard focus with the others.
+template <class Draw>
+void draw_region(const ViewContext& context, const Place& place, const Draw& draw) {
+  const Region& region = place.region;
+  if (region.empty()) return;
+  ImGui::GetWindowDrawList()->AddRectFilled(region.min, region.max, place.ground);
+  ImGui::SetCursorScreenPos(region.min);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+  ImGui::BeginChild(place.name, ImVec2(region.width(), region.height()), ImGuiChildFlags_NavFlattened,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  draw();
+  draw_edges(context, place);
+  ImGui::EndChild();
+}
+
+struct Splitter {
+  const char* id;
+  const char* tip;
+  bool vertical;     ///< a vertical bar that moves sideways
+  ImVec2 from, to;   ///< the border that it moves
+  float sign;        ///< +1: moving right or down makes the panel larger
+  float usual;       ///< the size that a double click brings back
+  SplitterLimits limits;
+};
+
+void draw_splitter(ViewContext& context, const Splitter& splitter, float& size) {
+  const float reach = kSplitterReach * 0.5f;
+  const ImVec2 grow = splitter.vertical ? ImVec2(reach, 0.0f) : ImVec2(0.0f, reach);
+  const ImVec2 min(splitter.from.x - grow.x, splitter.from.y - grow.y);
+  const ImVec2 max(splitter.to.x + grow.x, splitter.to.y + grow.y);
+  const Region region{min, max};
+  draw_region(context, {splitter.id, region, 0}, [&] {
+    ImGui::InvisibleButton("bar", ImVec2(max.x - min.x, max.y - min.y));
+    context.items.add_last(splitter.id, splitter.tip);
+    const bool touched = ImGui::IsItemHovered() || ImGui::IsItemActive();
+    if (ImGui::IsItemActive()) {
+      const ImVec2 moved = ImGui::GetIO().MouseDelta;
+      const float wanted = size + splitter.sign * (splitter.vertical ? moved.x : moved.y);
+      size = std::clamp(wanted, splitter.limits.low, std::max(splitter.limits.low, splitter.limits.high));
+    }
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) size = splitter.usual;
+    if (!touched) return;
+    ImGui::SetMouseCursor(splitter.vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
+    ImGui::GetWindowDrawList()->AddLine(splitter.from, splitter.to, context.theme.accent, 2.0f);
+    context.status = "Drag to resize the panel. Double click for its usual size.";
+  });
+}
+
+void draw_splitters(ViewContext& context, const Layout& layout, PanelSizes& sizes) {
+  if (layout.compact) return;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const PanelSizes usual;
+  if (!layout.outliner.empty()) {
+    const Region& region = layout.outliner;
+    draw_splitter(context,
+                  {"splitter.outliner", "Width of the outliner", true, ImVec2(region.max.x, region.min.y), region.max, 1.0f,
+                   usual.outliner_width, outliner_limits(size)},
+                  sizes.outliner_width);
+  }
+  if (!layout.inspector.empty()) {
+    const Region& region = layout.inspector;
+    draw_splitter(context,
+                  {"splitter.inspector", "Width of the inspector", true, region.min, ImVec2(region.min.x, region.max.y),
+                   -1.0f, usual.inspector_width, inspector_limits(size)},
+                  sizes.inspector_width);
+  }
+  if (!layout.curves.empty()) {
+    const Region& region = layout.transport;
+    draw_splitter(context,
+                  {"splitter.curves", "Height of the curves", false, region.min, ImVec2(region.max.x, region.min.y), -1.0f,
+                   usual.curves_height, curves_limits(size)},
+                  sizes.curves_height);
+  }
+}
+
+}  // namespace
+
+void Shell::add_commands(CommandRegistry& registry, Workspace& workspace, TimeWindow& time_window) {
+  curves_.add_commands(registry, workspace.session, workspace.preferences.options, time_window);
+}
+
+void Shell::document_opened() {
+  outliner_.document_opened();
+  curves_.document_opened();
+}
+
+void Shell::draw_side_panels(ViewContext& context, const Layout& layout) {
+  const ImU32 panel = context.theme.panel;
+  const unsigned side = layout.compact ? kNoEdge : kTop;
+  draw_region(context, {"outliner", layout.outliner, panel, layout.compact ? side : side | kRight},
+              [&] { outliner_.draw(context); });
+  draw_region(context, {"inspector", layout.inspector, panel, layout.compact ? side : side | kLeft},
+              [&] { inspector_.draw(context); });
+}
+
+void Shell::draw_time_panels(ViewContext& context, const Layout& layout) {
+  const ImU32 panel = context.theme.panel;
+  draw_region(context, {"transport", layout.transport, panel, kTop}, [&] { transport_.draw(context); });
+  draw_region(context, {"ruler", layout.ruler, panel, kTop}, [&] { timeline_.draw(context); });
+  draw_region(context, {"curves", layout.curves, panel}, [&] { curves_.draw(context); });
+}
+
+void Shell::draw_viewport(ViewContext& context, const Layout& layout, Scene& scene) {
+  const Region& region = layout.viewport;
+  scene.x = region.min.x;
+  scene.y = region.min.y;
+  scene.width = region.width();
+  scene.height = region.height();
+  draw_region(context, {"viewport", region, context.theme.app, kTop}, [] {});
+}
+
+void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
+  Preferences& preferences = workspace.preferences;
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  const Layout layout = compute_layout({.size = size,
+                                        .messages_height = message_strip_.height(context, workspace.messages, size.x),
+                                        .touch = preferences.options.touch,
+                                        .preferences = &preferences});
+  if (workspace.problems_wanted) inspector_.show(InspectorView::Page::Problems);
+  workspace.problems_wanted = false;
+
+  const ImU32 panel = context.theme.panel;
+  draw_region(context, {"title", layout.title, panel}, [&] { title_bar_.draw(context, layout.compact); });
+  draw_region(context, {"messages", layout.messages, panel, kTop},
+              [&] { message_strip_.draw(context, workspace.messages); });
+  draw_side_panels(context, layout);
+  draw_time_panels(context, layout);
+  draw_region(context, {"sheets", layout.sheet_header, panel, kTop}, [&] { draw_sheet_tabs(context); });
+  draw_viewport(context, layout, scene);
+  draw_splitters(context, layout, preferences.sizes);
+}
+
+}  // namespace marey::app

@@ -1,0 +1,42 @@
+#include "wasm/platform/backend.h"
+
+#include "wasm/platform/headless/headless_log.h"
+
+namespace marey::app {
+
+HeadlessLog& headless_log() {
+  static HeadlessLog log;
+  return log;
+}
+
+void Backend::ask_for_file() { ++headless_log().file_requests; }
+
+void Backend::download(std::string_view file_name, std::string_view bytes) {
+  headless_log().downloads.emplace_back(file_name, bytes);
+}
+
+void Backend::load_sample(std::string_view sample_id) { headless_log().samples.emplace_back(sample_id); }
+
+void Backend::set_clipboard_text(std::string_view text) { headless_log().clipboard = text; }
+
+void Backend::set_document_state(std::string_view file_name, bool dirty) {
+  headless_log().file_name = file_name;
+  headless_log().dirty = dirty;
+}
+
+void Backend::announce(std::string_view text) { headless_log().announcements.emplace_back(text); }
+
+void Backend::store_preferences(std::string_view json) {
+  headless_log().preferences = json;
+  ++headless_log().preference_writes;
+}
+
+std::string Backend::load_preferences() { return headless_log().preferences; }
+
+SystemPreferences Backend::system_preferences() { return headless_log().system; }
+
+void Backend::set_mouse_cursor(std::string_view css_cursor) { headless_log().mouse_cursor = css_cursor; }
+
+void Backend::open_link(std::string_view url) { headless_log().links.emplace_back(url); }
+
+}  // namespace marey::app

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "wasm/platform/backend.h"
+
+namespace marey::app {
+
+/// What the program has asked of the headless Backend, and what it is to answer. One for all Backends of a test
+/// program; tests clear it before they start.
+struct HeadlessLog {
+  int file_requests = 0;
+  std::vector<std::pair<std::string, std::string>> downloads;  ///< name, bytes
+  std::vector<std::string> samples;
+  std::vector<std::string> announcements;
+  std::vector<std::string> links;
+  std::string clipboard;
+  std::string file_name;
+  bool dirty = false;
+  std::string mouse_cursor = "default";
+  std::string preferences;  ///< what store_preferences was given, and load_preferences returns
+  int preference_writes = 0;
+  SystemPreferences system;
+};
+
+[[nodiscard]] HeadlessLog& headless_log();
+
+}  // namespace marey::app

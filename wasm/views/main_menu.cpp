@@ -1,0 +1,42 @@
+#include "wasm/views/main_menu.h"
+
+namespace marey::app {
+namespace {
+
+constexpr std::string_view kFile[] = {
+    "file.open", "file.save", "", "file.samples", "", "file.sample.giant-swing", "file.sample.walk", "file.sample.pendulum",
+    "file.sample.double-pendulum", "file.sample.robot-arm"};
+
+constexpr std::string_view kEdit[] = {
+    "edit.undo", "edit.redo", "", "#Samples", "curve.select_all", "curve.select_none", "curve.smooth", "curve.scale",
+    "curve.move", "", "#Joints", "select.parent", "select.child", "select.none"};
+
+constexpr std::string_view kClip[] = {
+    "play.toggle", "play.loop", "play.first", "play.last", "play.previous", "play.next", "", "#Speed", "play.slower",
+    "play.faster", "play.normal_speed", "#Range", "play.range_in", "play.range_out", "play.range_clear", "#File says",
+    "clip.up_axis.y", "clip.up_axis.z", "clip.positions.replace", "clip.positions.add"};
+
+constexpr std::string_view kView[] = {
+    "view.outliner", "view.inspector", "view.curves", "view.problems", "#Camera", "view.frame_all",
+    "view.frame_selection", "view.front", "view.side", "view.top", "view.orthographic", "view.follow_root", "#Figure",
+    "view.grid", "view.shadow", "view.names", "view.strobe", "view.trails", "#Interface", "view.theme.system",
+    "view.theme.light", "view.theme.dark", "view.scale.larger", "view.scale.smaller", "view.scale.reset",
+    "view.projector"};
+
+constexpr std::string_view kHelp[] = {"help.shortcuts", "help.commands", "help.about"};
+
+constexpr std::string_view kCompact[] = {
+    "file.open", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
+    "view.trails", "view.names", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
+    "help.about"};
+
+constexpr MainMenu kMenus[] = {MainMenu{"File", kFile}, MainMenu{"Edit", kEdit}, MainMenu{"Clip", kClip},
+                                            MainMenu{"View", kView}, MainMenu{"Help", kHelp}};
+
+}  // namespace
+
+std::span<const MainMenu> main_menus() { return kMenus; }
+
+MenuEntries compact_menu() { return kCompact; }
+
+}  // namespace marey::app
