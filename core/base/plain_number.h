@@ -26,10 +26,10 @@ struct PlainNumber {
   bool negative = false;
 
   /// Correctly rounded when mantissa <= 2^53: both operands are exact, and IEEE division rounds once.
-  [[nodiscard]] double value() const {
-    const double magnitude = static_cast<double>(mantissa) / kExactPowersOfTen[static_cast<std::size_t>(decimals)];
-    return negative ? -magnitude : magnitude;
+  [[nodiscard]] double magnitude() const {
+    return static_cast<double>(mantissa) / kExactPowersOfTen[static_cast<std::size_t>(decimals)];
   }
+  [[nodiscard]] double value() const { return negative ? -magnitude() : magnitude(); }
 };
 
 /// Bytes that scan_plain_number() may look at.

@@ -15,7 +15,7 @@ struct MotionHeader {
   std::optional<std::int64_t> declared_frames;  ///< as written, not checked against the rows; >= 0
   double frame_time_s = 1.0 / 30.0;             ///< to use: > 0 and finite
   NumberSlot frame_count_slot;
-  NumberSlot frame_time_slot;
+  NumberSlot frame_time_slot{0, 0, 1.0 / 30.0};
   std::size_t data_begin = 0;   ///< the first sample, or the end of the text
   bool needs_printing = false;  ///< a part is missing
 };

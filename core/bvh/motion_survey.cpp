@@ -129,7 +129,6 @@ std::vector<ColumnStyle> learn_columns(const std::vector<SampledRow>& rows, int 
                                        std::string_view line_end) {
   std::vector<ColumnStyle> columns(idx(channel_count));
   columns[0].gap = line_end;
-  if (rows.empty()) return columns;
   const SampledRow& last = rows.back();
   for (int c = 1; c < channel_count; ++c) columns[idx(c)].gap = gap_between(last[idx(c) - 1], last[idx(c)]);
   if (rows.size() > 1) columns[0].gap = gap_between(rows[rows.size() - 2].back(), last.front());
@@ -147,15 +146,21 @@ std::vector<ColumnStyle> learn_columns(const std::vector<SampledRow>& rows, int 
 MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional<std::int64_t> declared_frames,
                          std::string_view line_end) {
   MotionSurvey survey;
+  survey.columns.resize(idx(channel_count));
+  survey.columns.front().gap = line_end;
   const std::vector<std::string_view> lines = sample_lines(rows);
   survey.look = find_look(rows, lines, channel_count);
   survey.values_per_line = usual_value_count(lines, survey.look);
   if (survey.values_per_line != channel_count && !lines.empty()) {
     survey.layout = judge_odd_lines(rows, survey.values_per_line, channel_count, declared_frames);
   }
-  const std::vector<SampledRow> sampled = sample_rows(rows, channel_count, survey);
-  survey.columns = learn_columns(sampled, channel_count, survey.look, line_end);
+  const bool cut = survey.layout == RowLayout::CutLines;
+  const int sampled_values = cut ? survey.values_per_line : channel_count;
+  const std::vector<SampledRow> sampled = sample_rows(rows, sampled_values, survey);
   if (!sampled.empty()) {
+    survey.columns = learn_columns(sampled, sampled_values, survey.look, line_end);
+    // Columns that no row shows look like the last one; those beyond the channels are left out with their values.
+    survey.columns.resize(idx(channel_count), ColumnStyle(survey.columns.back()));
     const char* end = sampled.back().back().data() + sampled.back().back().size();
     survey.bytes_per_row = static_cast<double>(end - rows.data()) / static_cast<double>(sampled.size());
   }

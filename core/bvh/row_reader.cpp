@@ -11,9 +11,6 @@
 namespace marey {
 namespace {
 
-/// Below this, digits and decimals of a number are those with which append_number() writes its value.
-constexpr std::uint64_t kSpellingIsUnique = std::uint64_t{1} << 51;
-
 /// Memory for odd tokens: small beside the samples, but enough for every token of a small file.
 std::size_t odd_token_bytes(std::int64_t frames, int channel_count) {
   const auto samples = static_cast<std::size_t>(frames) * idx(channel_count);
@@ -59,8 +56,7 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
     // A gap that does not fit into a word takes the longer way.
     const bool fits = !column.gap.empty() && column.gap.size() <= sizeof hot.gap_word;
     hot.gap_mask = fits ? ~std::uint64_t{0} >> (64 - 8 * bytes) : 0;
-    hot.decimals = static_cast<std::int8_t>(column.format.decimals);
-    hot.fixed = column.format.form == NumberFormat::Form::Fixed;
+    hot.spelling = PlainSpelling(column.format);
     hot_columns_.push_back(hot);
   }
 }
@@ -83,10 +79,9 @@ bool RowReader::read_predicted_row() {
     const HotColumn& column = hot_columns_[idx(channel)];
     const bool reachable = end_ - p > kPlainNumberReach + 8;
     if (reachable && (detail::load_eight(p) & column.gap_mask) == column.gap_word && column.gap_mask != 0) {
-      const PlainNumber number = scan_plain_number(p + column.gap_length, point);
-      if (number.end != nullptr && column.fixed && number.decimals == column.decimals &&
-          number.has_point == (column.decimals > 0) && number.mantissa < kSpellingIsUnique &&
-          (number.integer_digits == 1 || (number.integer_digits > 1 && p[column.gap_length + number.negative] != '0'))) {
+      const char* begin = p + column.gap_length;
+      const PlainNumber number = scan_plain_number(begin, point);
+      if (number.end != nullptr && column.spelling.matches(begin, number)) {
         row[channel] = number.value();
         p = number.end;
         continue;
@@ -122,12 +117,9 @@ const char* RowReader::read_unpredicted_value(const char* p, int channel, double
   return end;
 }
 
-bool RowReader::text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) {
+bool RowReader::text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) const {
   const ColumnStyle& column = survey_.columns[idx(channel)];
-  if (gap != column.gap) return false;
-  scratch_.clear();
-  append_number(value, column.format, scratch_);
-  return scratch_ == number;
+  return gap == column.gap && is_spelled_as(number, value, column.format);
 }
 
 void RowReader::fail_beyond_limit() {

@@ -3,10 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/number_spelling.h"
 #include "core/bvh/motion_rows.h"
 #include "core/bvh/motion_survey.h"
 #include "core/bvh/odd_tokens.h"
@@ -30,8 +30,7 @@ class RowReader {
     std::uint64_t gap_word = 0;  ///< the gap's bytes
     std::uint64_t gap_mask = 0;
     int gap_length = 0;
-    std::int8_t decimals = 0;
-    bool fixed = false;
+    PlainSpelling spelling;
   };
 
   /// How the values of an irregular row lie.
@@ -44,7 +43,7 @@ class RowReader {
 
   bool read_predicted_row();
   const char* read_unpredicted_value(const char* p, int channel, double& value);
-  [[nodiscard]] bool text_is_predicted(int channel, double value, std::string_view gap, std::string_view number);
+  [[nodiscard]] bool text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) const;
 
   bool read_irregular_row();
   const char* skip_gap(const char* p, bool& line_ends);
@@ -82,7 +81,6 @@ class RowReader {
   std::vector<HotColumn> hot_columns_;
   SampleStore store_;
   OddTokens odd_tokens_;
-  std::string scratch_;
 };
 
 }  // namespace marey
