@@ -70,7 +70,7 @@ TEST_P(LayoutOfSize, PanelsOfAnySizeLeaveRoomForTheViewport) {
     preferences.sizes = {size, size, size};
     const Layout layout = compute_layout({.size = GetParam(), .preferences = &preferences});
     EXPECT_GE(layout.viewport.width(), std::min(GetParam().x, 240.0f) - 1.0f);
-    EXPECT_GE(layout.viewport.height(), 60.0f);
+    EXPECT_GE(layout.viewport.height(), 50.0f);
   }
 }
 

@@ -7,8 +7,9 @@ namespace marey::app {
 namespace {
 
 constexpr int kWordStart = 12;
-constexpr int kConsecutive = 8;
+constexpr int kConsecutive = 12;
 constexpr int kPlain = 2;
+constexpr int kJump = 3;
 
 char lower(char character) { return static_cast<char>(std::tolower(static_cast<unsigned char>(character))); }
 
@@ -52,7 +53,8 @@ std::optional<FuzzyMatch> match_from(std::string_view letters, std::string_view 
     }
     if (found == std::string_view::npos) return std::nullopt;
     const bool consecutive = after_match && found == at;
-    match.score += is_word_start(text, found) ? kWordStart : consecutive ? kConsecutive : kPlain;
+    match.score += consecutive ? kConsecutive : is_word_start(text, found) ? kWordStart : kPlain;
+    if (after_match && !consecutive) match.score -= kJump;
     match.positions.push_back(static_cast<int>(found));
     at = found + 1;
   }

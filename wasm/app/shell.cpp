@@ -43,6 +43,7 @@ void draw_region(const ViewContext& context, const Place& place, const Draw& dra
   ImGui::PopStyleVar();
   draw();
   draw_edges(context, place);
+  ImGui::SetCursorScreenPos(region.min);  // the view may have left the cursor anywhere; its region is what it is
   ImGui::EndChild();
 }
 
@@ -109,12 +110,14 @@ void draw_splitters(ViewContext& context, const Layout& layout, PanelSizes& size
 }  // namespace
 
 void Shell::add_commands(CommandRegistry& registry, Workspace& workspace, TimeWindow& time_window) {
+  viewport_.add_commands(registry, workspace.session);
   curves_.add_commands(registry, workspace.session, workspace.preferences.options, time_window);
 }
 
 void Shell::document_opened() {
   outliner_.document_opened();
   curves_.document_opened();
+  viewport_.document_opened();
 }
 
 void Shell::draw_side_panels(ViewContext& context, const Layout& layout) {
@@ -131,15 +134,6 @@ void Shell::draw_time_panels(ViewContext& context, const Layout& layout) {
   draw_region(context, {"transport", layout.transport, panel, kTop}, [&] { transport_.draw(context); });
   draw_region(context, {"ruler", layout.ruler, panel, kTop}, [&] { timeline_.draw(context); });
   draw_region(context, {"curves", layout.curves, panel}, [&] { curves_.draw(context); });
-}
-
-void Shell::draw_viewport(ViewContext& context, const Layout& layout, Scene& scene) {
-  const Region& region = layout.viewport;
-  scene.x = region.min.x;
-  scene.y = region.min.y;
-  scene.width = region.width();
-  scene.height = region.height();
-  draw_region(context, {"viewport", region, context.theme.app, kTop}, [] {});
 }
 
 void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
@@ -159,7 +153,7 @@ void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
   draw_side_panels(context, layout);
   draw_time_panels(context, layout);
   draw_region(context, {"sheets", layout.sheet_header, panel, kTop}, [&] { draw_sheet_tabs(context); });
-  draw_viewport(context, layout, scene);
+  draw_region(context, {"viewport", layout.viewport, 0, kTop}, [&] { viewport_.draw(context, scene); });
   draw_splitters(context, layout, preferences.sizes);
 }
 

@@ -14,6 +14,7 @@
 #include "wasm/views/timeline_view.h"
 #include "wasm/views/title_bar.h"
 #include "wasm/views/transport_view.h"
+#include "wasm/views/viewport_view.h"
 #include "wasm/views/welcome_view.h"
 
 namespace marey::app {
@@ -32,7 +33,6 @@ class Shell {
  private:
   void draw_side_panels(ViewContext& context, const Layout& layout);
   void draw_time_panels(ViewContext& context, const Layout& layout);
-  void draw_viewport(ViewContext& context, const Layout& layout, Scene& scene);
 
   TitleBar title_bar_;
   MessageStrip message_strip_;
@@ -41,6 +41,7 @@ class Shell {
   TransportView transport_;
   TimelineView timeline_;
   CurvesView curves_;
+  ViewportView viewport_;
   CommandPalette palette_;
   ShortcutSheet shortcut_sheet_;
   AboutView about_;
