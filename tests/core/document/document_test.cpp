@@ -5,8 +5,10 @@
 
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "core/bvh/reader.h"
 #include "core/editing/clip_operations.h"
 #include "core/editing/curve_operations.h"
 #include "core/skeleton/skeleton_builder.h"
@@ -123,6 +125,52 @@ TEST_F(DocumentTest, ARefusedOrEmptyEditLeavesNoGhost) {
   EXPECT_THAT(ghost(), IsEmpty());
   EXPECT_FALSE(document.is_dirty());
   EXPECT_EQ(document.revision(), 0u);
+}
+
+// Lines of a real file's shape; what was not edited comes out byte by byte, odd spacing and decimals included.
+constexpr std::string_view kBvhLines[] = {"HIERARCHY\n",
+                                          "ROOT Hips\n",
+                                          "{\n",
+                                          "\tOFFSET 0.00 0.00 0.00\n",
+                                          "\tCHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n",
+                                          "\tEnd Site\n",
+                                          "\t{\n",
+                                          "\t\tOFFSET 0.00 90.00 0.00\n",
+                                          "\t}\n",
+                                          "}\n",
+                                          "MOTION\n",
+                                          "Frames: 3\n",
+                                          "Frame Time: .0083333\n",
+                                          "8.03\t35.01\t88.36\t-3.41\t14.78\t-164.35\n",
+                                          "7.81\t35.10\t86.47\t-3.78\t12.94\t-166.97\n",
+                                          "7.60\t35.22\t84.50\t-4.11\t10.99\t-169.41\n"};
+
+std::string bvh_text(FrameIndex changed_frame = -99, std::string_view changed_row = {}) {
+  std::string text;
+  for (int line = 0; line < 16; ++line) text += line == 13 + changed_frame ? changed_row : kBvhLines[line];
+  return text;
+}
+
+TEST(DocumentSave, GivesTheFileBackButForWhatWasEdited) {
+  Document document(read_bvh(bvh_text()).value(), "walk.bvh");
+  EXPECT_EQ(document.save_text(), bvh_text());
+  ASSERT_TRUE(document.apply(make_sample_edit(document.clip(), kCurve, 1, 45.5)));
+  EXPECT_EQ(document.save_text(), bvh_text(1, "7.81\t35.10\t86.47\t45.50\t12.94\t-166.97\n"));
+  document.undo();
+  EXPECT_EQ(document.save_text(), bvh_text());
+}
+
+TEST(DocumentSave, KeepsTheBitsOfEveryEditedSample) {
+  Document document(read_bvh(bvh_text()).value(), "walk.bvh");
+  const SampleSelection all = selected(kCurve, {0, 3});
+  ASSERT_TRUE(document.apply(make_scale_edit(document.clip(), all, 1.0 / 3.0, 0.1)));
+  const Result<BvhClip> again = read_bvh(document.save_text());
+  ASSERT_TRUE(again);
+  for (ChannelIndex channel = 0; channel < 6; ++channel) {
+    for (FrameIndex frame = 0; frame < 3; ++frame) {
+      EXPECT_EQ(again->motion.sample(channel, frame), document.motion().sample(channel, frame));
+    }
+  }
 }
 
 TEST(GuessMetresPerUnit, MakesTheFigureHuman) {
