@@ -39,7 +39,8 @@ function findMirror() {
   return mirror;
 }
 
-// A state directory of our own leaves the system's package lists as they are; apt checks the signatures as always.
+// A state directory of our own leaves the system's package lists as they are. apt checks the signatures as always; a
+// mirror that lags behind will do, since the files that we want are known by their hashes.
 function downloadFromDebian() {
   const sources = join(scratch, "sources");
   mkdirSync(join(scratch, "lists", "partial"), { recursive: true });
@@ -47,7 +48,7 @@ function downloadFromDebian() {
   writeFileSync(join(sources, "imgui.sources"),
     `Types: deb-src\nURIs: ${findMirror()}\nSuites: ${debianSuite}\nComponents: main\n` +
     (existsSync(keyring) ? `Signed-By: ${keyring}\n` : ""));
-  const own = ["-q", "-o", "Dir::Etc::SourceList=/dev/null", "-o", `Dir::Etc::SourceParts=${sources}`,
+  const own = ["-q", "-o", "Acquire::Check-Valid-Until=false", "-o", "Dir::Etc::SourceList=/dev/null", "-o", `Dir::Etc::SourceParts=${sources}`,
     "-o", `Dir::State::Lists=${join(scratch, "lists")}`, "-o", `Dir::Cache=${join(scratch, "cache")}`];
   must("apt-get", [...own, "update"], { cwd: scratch });
   must("apt-get", [...own, "source", "--download-only", `imgui=${debianVersion}`], { cwd: scratch });
