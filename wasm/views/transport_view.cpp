@@ -55,17 +55,19 @@ void TransportView::draw_position(ViewContext& context) {
   Playback& playback = context.session.playback;
   const Motion& motion = context.session.document.motion();
   const int count = motion.frame_count();
+  const bool compact = context.options.compact;
   const auto result = ui::number_field(
       context, "play.frame", "Frame", playback.frame() + 1,
-      {.unit = "", .decimals = 0, .step = 0.25, .low = 1.0, .high = static_cast<double>(count > 0 ? count : 1), .width = 84.0f});
+      {.unit = "", .decimals = 0, .step = 0.25, .low = 1.0, .high = static_cast<double>(count > 0 ? count : 1), .width = compact ? 56.0f : 84.0f});
   if (result.event == ui::NumberEvent::Live || result.event == ui::NumberEvent::Committed) {
     playback.set_position(result.value - 1.0);
   }
-  ImGui::SameLine(0.0f, 6.0f);
-  mono_text(context, fmt::format("/ {}", count), context.theme.dim_text);
-  ImGui::SameLine(0.0f, 16.0f);
-  mono_text(context, fmt::format("{:.3f} s", playback.position() * motion.frame_time_s()), context.theme.text);
-  if (context.options.compact) return;
+  ImGui::SameLine(0.0f, 4.0f);
+  mono_text(context, fmt::format("/{}", count), context.theme.dim_text);
+  ImGui::SameLine(0.0f, compact ? 8.0f : 16.0f);
+  const double time_s = playback.position() * motion.frame_time_s();
+  mono_text(context, fmt::format("{:.{}f} s", time_s, compact ? 2 : 3), context.theme.text);
+  if (compact) return;
   ImGui::SameLine(0.0f, 6.0f);
   mono_text(context, fmt::format("/ {:.3f} s", motion.duration_s()), context.theme.dim_text);
   ImGui::SameLine(0.0f, 16.0f);
@@ -80,7 +82,7 @@ void TransportView::draw(ViewContext& context) {
     ImGui::SameLine(0.0f, 8.0f);
     draw_speed(context);
   }
-  ImGui::SameLine(0.0f, 16.0f);
+  ImGui::SameLine(0.0f, context.options.compact ? 8.0f : 16.0f);
   draw_position(context);
 }
 

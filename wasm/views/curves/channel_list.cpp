@@ -70,6 +70,7 @@ void draw_joint_heading(ViewContext& context, JointIndex joint) {
   const float width = ImGui::GetContentRegionAvail().x - kPadding;
   ui::elided_text(context, ui::displayable(context.session.document.skeleton().name(joint)), width,
                   context.theme.dim_text);
+  ImGui::Dummy({0.0f, 4.0f});
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ void add_view_commands(CommandRegistry& registry, CurveCommandTargets t) {
                 .label = "Fit selected samples",
                 .help = "Zooms the curves to the selected samples.",
                 .shortcut = "Shift+F",
-                .icon = icons::kScan,
+                .icon = icons::kFocus,
                 .run = [t](const Json&) -> Json {
                   fit_selection(t.state, t.session, t.time);
                   return nullptr;

@@ -127,6 +127,7 @@ void CurvesDrawing::draw(ViewContext& context, const CurvesState& state) {
   for (const ChannelIndex channel : state.shown) draw_ghost(context, state, channel);
   for (const ChannelIndex channel : state.shown) draw_curve(context, state, channel);
   draw_selection(context, state);
+  draw_end_letters(context, state);
   draw_box(context, state);
   draw_cursor(context, state);
   draw_hit_label(context, state);

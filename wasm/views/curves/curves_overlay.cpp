@@ -80,6 +80,12 @@ std::vector<CursorLabel> cursor_labels(ViewContext& context, const CurvesState& 
   return labels;
 }
 
+// The letter of a curve, behind its last visible sample.
+void draw_end_letter(ViewContext& context, const CursorLabel& label, float x) {
+  draw_list().AddText(context.fonts.semibold, Fonts::kSmallSize, {std::round(x + 6.0f), std::round(label.y)},
+                      label.color, label.text.c_str());
+}
+
 FrameRange falloff_hull(const Session& session, ChannelIndex channel) {
   FrameRange hull{0, 0};
   for (const SampleRun& run : session.selection.samples().runs()) {
@@ -135,6 +141,24 @@ void draw_cursor(ViewContext& context, const CurvesState& state) {
     const bool fits_right = x + 8.0f + width <= state.area.max.x;
     draw_chip(context, state.area, {fits_right ? x + 8.0f : x - 8.0f - width, label.y}, label.text, label.color);
   }
+}
+
+void draw_end_letters(ViewContext& context, const CurvesState& state) {
+  const Document& document = context.session.document;
+  const int last_frame = document.motion().frame_count() - 1;
+  const int frame = std::clamp(static_cast<int>(std::floor(context.time_window.last)), 0, last_frame);
+  std::vector<CursorLabel> letters;
+  for (const ChannelIndex channel : state.shown) {
+    const Channel& described = document.skeleton().channel(channel);
+    const double value = document.motion().sample(channel, frame);
+    const float y = state.axis_of(document.skeleton(), channel).y_of(value);
+    if (!std::isfinite(value) || y < state.area.min.y || y > state.area.max.y) continue;
+    if (described.joint != context.session.selection.active_joint()) continue;
+    letters.push_back({y - 0.5f * kLabelHeight, short_name_of(described), channel_color(context.theme, described)});
+  }
+  declutter(letters, state.area);
+  const float x = std::min(context.time_window.x_of(frame), state.area.max.x - 18.0f);
+  for (const CursorLabel& letter : letters) draw_end_letter(context, letter, x);
 }
 
 void draw_hit_label(ViewContext& context, const CurvesState& state) {

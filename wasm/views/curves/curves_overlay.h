@@ -17,6 +17,9 @@ void draw_box(ViewContext& context, const CurvesState& state);
 /// The frame cursor with each curve's value at it, decluttered.
 void draw_cursor(ViewContext& context, const CurvesState& state);
 
+/// The letter of each curve of the active joint at its right end: colour never tells them apart alone.
+void draw_end_letters(ViewContext& context, const CurvesState& state);
+
 /// Joint, channel, frame and value of what is under the pointer.
 void draw_hit_label(ViewContext& context, const CurvesState& state);
 

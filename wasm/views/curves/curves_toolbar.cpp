@@ -22,6 +22,12 @@ const char* selection_unit(const ViewContext& context) {
   return unit == nullptr ? "" : unit;
 }
 
+void label(ViewContext& context, std::string_view text) {
+  ImGui::AlignTextToFramePadding();
+  ui::dim_text(context, text);
+  ImGui::SameLine(0.0f, 6.0f);
+}
+
 void separator(ViewContext& context) {
   ImGui::SameLine(0.0f, 10.0f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -34,6 +40,7 @@ void separator(ViewContext& context) {
 
 void CurvesToolbar::draw_value(ViewContext& context) {
   const SampleSelection selection = context.session.selection.samples();
+  label(context, "Value");
   const double mean = compute_selection_mean(context.session.document.clip(), selection);
   const auto result = ui::number_field(context, "curves.value", "Value", mean,
                                        {.unit = selection_unit(context), .decimals = 3, .step = 0.1, .width = 104.0f});
@@ -42,6 +49,7 @@ void CurvesToolbar::draw_value(ViewContext& context) {
 }
 
 void CurvesToolbar::draw_offset(ViewContext& context) {
+  label(context, "Offset");
   const SampleSelection selection = context.session.selection.samples();
   const auto result = ui::number_field(context, "curves.offset", "Offset", offset_,
                                        {.unit = selection_unit(context), .decimals = 2, .step = 0.1, .width = 92.0f});
@@ -50,6 +58,7 @@ void CurvesToolbar::draw_offset(ViewContext& context) {
 }
 
 void CurvesToolbar::draw_scale(ViewContext& context) {
+  label(context, "Scale");
   const SampleSelection selection = context.session.selection.samples();
   const auto result =
       ui::number_field(context, "curves.scale", "Scale", scale_, {.unit = "×", .decimals = 2, .step = 0.01, .width = 80.0f});
@@ -62,7 +71,7 @@ void CurvesToolbar::draw_scale(ViewContext& context) {
 void CurvesToolbar::draw_smooth(ViewContext& context) {
   const auto sigma = ui::number_field(
       context, "curves.sigma", "Width", static_cast<double>(context.options.smooth_sigma_frames),
-      {.unit = "frames", .decimals = 1, .step = 0.05, .low = 0.1, .high = 200.0, .width = 104.0f});
+      {.unit = "frames", .decimals = 1, .step = 0.05, .low = 0.1, .high = 200.0, .width = 92.0f});
   if (sigma.event != ui::NumberEvent::None) context.options.smooth_sigma_frames = static_cast<float>(sigma.value);
   ImGui::SameLine(0.0f, 4.0f);
   ui::command_button(context, "curve.smooth", ui::ButtonLook::Raised, true);
@@ -73,13 +82,15 @@ void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
   ImGui::SameLine(0.0f, 2.0f);
   ui::command_button(context, "curve.fit_selection");
   separator(context);
+  label(context, "Falloff");
   const auto falloff = ui::number_field(
       context, "curves.falloff", "Falloff", static_cast<double>(context.options.falloff_radius_frames),
-      {.unit = "frames", .decimals = 0, .step = 0.1, .low = 0.0, .high = 1000.0, .width = 104.0f});
+      {.unit = "frames", .decimals = 0, .step = 0.1, .low = 0.0, .high = 1000.0, .width = 88.0f});
   if (falloff.event != ui::NumberEvent::None) context.options.falloff_radius_frames = static_cast<float>(falloff.value);
   if (!has_selection(context)) {
     separator(context);
-    ui::dim_text(context, "Select samples to edit them");
+    label(context, "Select samples to edit them");
+    ImGui::NewLine();
     return;
   }
   separator(context);

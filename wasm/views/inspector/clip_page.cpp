@@ -48,7 +48,7 @@ void draw_length(ViewContext& context) {
     return make_settings_edit(clip, settings);
   });
   inspector::end_row();
-  inspector::text_row(context, "Stature", fmt::format("{:.2f} units  {:.2f} m", stature, stature * metres_per_unit), true);
+  inspector::text_row(context, "Stature", fmt::format("{:.2f} units {:6.2f} m", stature, stature * metres_per_unit), true);
 }
 
 void draw_reading(ViewContext& context) {

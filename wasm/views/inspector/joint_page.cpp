@@ -71,7 +71,7 @@ void JointPage::draw_world_position(ViewContext& context, JointIndex joint) {
   inspector::heading(context, "World position");
   for (int axis = 0; axis < 3; ++axis) {
     const double metres = place[axis] * document.settings().metres_per_unit;
-    inspector::text_row(context, kAxisNames[axis], fmt::format("{:.3f} units  {:.3f} m", place[axis], metres), true);
+    inspector::text_row(context, kAxisNames[axis], fmt::format("{:.2f} units {:8.3f} m", place[axis], metres), true);
   }
 }
 

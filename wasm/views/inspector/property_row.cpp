@@ -5,6 +5,12 @@
 #include "wasm/app/widgets.h"
 
 namespace marey::app::inspector {
+namespace {
+
+constexpr float kRowGap = 4.0f;
+constexpr float kNumberInset = 8.0f;
+
+}  // namespace
 
 void heading(ViewContext& context, std::string_view text) {
   ImGui::Dummy({0.0f, 8.0f});
@@ -24,15 +30,22 @@ float begin_row(ViewContext& context, std::string_view label) {
   return std::max(40.0f, ImGui::GetContentRegionAvail().x - kPadding);
 }
 
-void end_row() { ImGui::Dummy({0.0f, 0.0f}); }
+void end_row() { ImGui::Dummy({0.0f, kRowGap}); }
 
 void text_row(ViewContext& context, std::string_view label, const std::string& value, bool number) {
   const float width = begin_row(context, label);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 0.5f * (kRowHeight - ImGui::GetTextLineHeight()));
+  const float top = ImGui::GetCursorPosY();
+  ImGui::SetCursorPosY(top + 0.5f * (kRowHeight - ImGui::GetTextLineHeight()));
   ImGui::PushFont(number ? context.fonts.mono : context.fonts.text, Fonts::kTextSize);
+  if (number) {
+    // Under the numbers of the fields, which stand at the right edge.
+    const float shift = width - kNumberInset - ImGui::CalcTextSize(value.c_str()).x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, shift));
+  }
   ui::elided_text(context, value, width, context.theme.text);
   ImGui::PopFont();
-  ImGui::Dummy({0.0f, 4.0f});
+  ImGui::SetCursorPosY(top + kRowHeight);
+  ImGui::Dummy({0.0f, 0.0f});
 }
 
 }  // namespace marey::app::inspector
