@@ -2,86 +2,140 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <glm/common.hpp>
 #include <vector>
 
-#include "core/kinematics/forward_kinematics.h"
+#include "core/kinematics/pose.h"
 
 namespace marey {
 namespace {
 
-constexpr int kPostureSamples = 64;
+constexpr int kPostures = 64;
+constexpr Box kNoBox{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
 
-// World positions of single frames spread evenly over a clip, one frame at a time.
-class SampledFrames {
+bool is_empty(const Box& box) { return box.low.x > box.high.x; }
+
+Box joined(const Box& a, const Box& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+// Box around the points that are finite; kNoBox when there are none.
+Box box_around(const std::vector<glm::dvec3>& points) {
+  Box box = kNoBox;
+  for (const glm::dvec3& p : points) {
+    if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box = joined(box, {p, p});
+  }
+  return box;
+}
+
+// Boxes around single poses.
+class PostureBoxes {
  public:
-  SampledFrames(const Skeleton& skeleton, const Motion& motion, PositionRule rule, int max_samples)
-      : skeleton_(skeleton),
-        motion_(motion),
-        rule_(rule),
-        count_(std::min(motion.frame_count(), std::max(max_samples, 2))),
-        positions_(idx(skeleton.node_count()) * 3) {}
+  explicit PostureBoxes(const Skeleton& skeleton) : skeleton_(skeleton) {
+    local_.resize(skeleton);
+    world_.resize(skeleton);
+  }
 
-  [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] Box at_rest() {
+    compute_rest_pose(skeleton_, local_);
+    compute_world_pose(skeleton_, local_, world_);
+    return box_around(world_.world_positions);
+  }
 
-  // Box around the nodes that are finite; nothing is finite: low > high.
-  [[nodiscard]] Box box(int sample) {
-    compute_world_positions(skeleton_, motion_, {frame_of(sample), 1}, rule_, std::span(positions_));
-    Box box{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
-    for (std::size_t i = 0; i < positions_.size(); i += 3) {
-      const glm::dvec3 p(positions_[i], positions_[i + 1], positions_[i + 2]);
-      if (!std::isfinite(p.x + p.y + p.z)) continue;
-      box = {glm::min(box.low, p), glm::max(box.high, p)};
+  [[nodiscard]] Box at_frame(const Motion& motion, FrameIndex frame, PositionRule rule) {
+    compute_local_pose(skeleton_, motion, frame, rule, local_);
+    compute_world_pose(skeleton_, local_, world_);
+    return box_around(world_.world_positions);
+  }
+
+  // The boxes of at most `count` frames spread evenly over the clip, without empty ones.
+  [[nodiscard]] std::vector<Box> spread(const Motion& motion, PositionRule rule, int count) {
+    std::vector<Box> boxes;
+    const int last = motion.frame_count() - 1;
+    const int steps = std::clamp(count - 1, 0, std::max(last, 0));
+    for (int i = 0; i <= steps && last >= 0; ++i) {
+      const auto frame = steps == 0 ? 0 : static_cast<FrameIndex>(std::int64_t{i} * last / steps);
+      const Box box = at_frame(motion, frame, rule);
+      if (!is_empty(box)) boxes.push_back(box);
     }
-    return box;
+    return boxes;
   }
 
  private:
-  [[nodiscard]] FrameIndex frame_of(int sample) const {
-    if (count_ < 2) return 0;
-    return static_cast<FrameIndex>(std::int64_t{sample} * (motion_.frame_count() - 1) / (count_ - 1));
-  }
-
   const Skeleton& skeleton_;
-  const Motion& motion_;
-  PositionRule rule_;
-  int count_;
-  std::vector<double> positions_;
+  LocalPose local_;
+  WorldPose world_;
 };
+
+// The lower ends of boxes along an axis, in order.
+std::vector<double> sorted_lows(const std::vector<Box>& boxes, int axis) {
+  std::vector<double> lows;
+  for (const Box& box : boxes) lows.push_back(box.low[axis]);
+  std::sort(lows.begin(), lows.end());
+  return lows;
+}
+
+// part 0: the least, 1: the greatest. `sorted` is not empty.
+double percentile(const std::vector<double>& sorted, double part) {
+  return sorted[static_cast<std::size_t>(std::lround(part * static_cast<double>(sorted.size() - 1)))];
+}
+
+// How much speaks for an axis as the vertical one, in statures.
+double uprightness(const std::vector<Box>& frames, const Box& rest, int axis, double stature) {
+  double height = rest.size()[axis];
+  for (const Box& box : frames) height += box.size()[axis];
+  height /= static_cast<double>(frames.size() + 1) * stature;
+  if (frames.empty()) return height;
+  const bool stands_on_zero = std::abs(percentile(sorted_lows(frames, axis), 0.5)) < 0.05 * stature;
+  return stands_on_zero && height > 0.3 ? height + 0.5 : height;
+}
+
+bool has_root_at_origin(const Skeleton& skeleton, const Motion& motion, PositionRule rule) {
+  LocalPose local;
+  local.resize(skeleton);
+  std::vector<bool> is_away(idx(skeleton.joint_count()));
+  for (FrameIndex frame : {0, motion.frame_count() / 2, motion.frame_count() - 1}) {
+    compute_local_pose(skeleton, motion, frame, rule, local);
+    for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+      if (local.local_translations[idx(joint)] != glm::dvec3(0.0)) is_away[idx(joint)] = true;
+    }
+  }
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    if (skeleton.parent(joint) == kNoParent && !is_away[idx(joint)]) return true;
+  }
+  return false;
+}
 
 }  // namespace
 
 Box compute_clip_bounds(const Skeleton& skeleton, const Motion& motion, PositionRule rule, int max_samples) {
-  SampledFrames frames(skeleton, motion, rule, max_samples);
-  Box bounds{glm::dvec3(HUGE_VAL), glm::dvec3(-HUGE_VAL)};
-  for (int i = 0; i < frames.count(); ++i) {
-    const Box box = frames.box(i);
-    bounds = {glm::min(bounds.low, box.low), glm::max(bounds.high, box.high)};
-  }
-  return bounds.low.x <= bounds.high.x ? bounds : Box{};
+  PostureBoxes postures(skeleton);
+  Box bounds = kNoBox;
+  for (const Box& box : postures.spread(motion, rule, std::max(max_samples, 2))) bounds = joined(bounds, box);
+  return is_empty(bounds) ? postures.at_rest() : bounds;
 }
 
 Axis find_up_axis(const Skeleton& skeleton, const Motion& motion, PositionRule rule) {
-  SampledFrames frames(skeleton, motion, rule, kPostureSamples);
-  glm::dvec3 extent(0.0);
-  for (int i = 0; i < frames.count(); ++i) {
-    const Box box = frames.box(i);
-    if (box.low.x <= box.high.x) extent += box.size();
-  }
-  return extent.z > extent.y ? Axis::Z : Axis::Y;
+  const double stature = compute_stature(skeleton);
+  if (!(stature > 0.0)) return Axis::Y;
+  PostureBoxes postures(skeleton);
+  const std::vector<Box> frames = postures.spread(motion, rule, kPostures);
+  const Box rest = postures.at_rest();
+  return uprightness(frames, rest, 2, stature) > uprightness(frames, rest, 1, stature) ? Axis::Z : Axis::Y;
 }
 
 double find_ground_height(const Skeleton& skeleton, const Motion& motion, PositionRule rule, Axis up) {
-  SampledFrames frames(skeleton, motion, rule, kPostureSamples);
-  std::vector<double> lowest;
-  for (int i = 0; i < frames.count(); ++i) {
-    const Box box = frames.box(i);
-    if (box.low.x <= box.high.x) lowest.push_back(box.low[static_cast<int>(up)]);
-  }
-  if (lowest.empty()) return 0.0;
-  const auto low = lowest.begin() + static_cast<std::ptrdiff_t>(lowest.size() / 20);
-  std::nth_element(lowest.begin(), low, lowest.end());
-  return *low;
+  PostureBoxes postures(skeleton);
+  const double stature = compute_stature(skeleton);
+  std::vector<Box> boxes = postures.spread(motion, rule, kPostures);
+  const bool has_frames = !boxes.empty();
+  if (!has_frames) boxes.push_back(postures.at_rest());
+
+  const std::vector<double> lows = sorted_lows(boxes, static_cast<int>(up));
+  const double ground = percentile(lows, 0.05);
+  const bool about_zero = ground >= -0.005 * stature && ground <= 0.03 * stature;
+  const bool swings = percentile(lows, 0.95) - ground > 0.25 * stature;
+  if (about_zero || (swings && has_frames && has_root_at_origin(skeleton, motion, rule))) return 0.0;
+  return ground;
 }
 
 }  // namespace marey

@@ -19,16 +19,18 @@ struct Box {
 };
 
 /// Box around all nodes over at most `max_samples` frames spread evenly over the clip (first and last included).
+/// Points that are not finite are left out. A clip without frames, or without a finite point, gives the rest pose.
 [[nodiscard]] Box compute_clip_bounds(const Skeleton& skeleton, const Motion& motion, PositionRule rule,
                                       int max_samples = 256);
 
-/// The axis that most likely points up: the axis along which the rest pose and the first frames stand, that is the
-/// head-most long extent of the figure; Y when the evidence is equal (BVH's habit). X is never chosen.
+/// The axis that most likely points up, Y or Z: the one along which the figure is tall in the poses of the clip and in
+/// its rest pose, where standing on the plane at 0 counts as half a stature more (four-legged figures are longer than
+/// tall). Y when the evidence is equal (BVH's habit).
 [[nodiscard]] Axis find_up_axis(const Skeleton& skeleton, const Motion& motion, PositionRule rule);
 
 /// Height of the ground along `up` in file units: a low percentile of the lowest node over the clip, so that one bad
-/// frame does not sink it; 0 when the clip hangs or swings freely around the origin (the lowest point is further
-/// below 0 than a tenth of the stature and a root stays at the origin).
+/// frame does not sink it. 0 when that is about 0, joints being inside of the flesh, and 0 when the clip swings around
+/// the origin: a root stays there and the height of the lowest node varies by more than a quarter of the stature.
 [[nodiscard]] double find_ground_height(const Skeleton& skeleton, const Motion& motion, PositionRule rule, Axis up);
 
 }  // namespace marey
