@@ -86,7 +86,7 @@ double uprightness(const std::vector<Box>& frames, const Box& rest, int axis, do
   height /= static_cast<double>(frames.size() + 1) * stature;
   if (frames.empty()) return height;
   const bool stands_on_zero = std::abs(percentile(sorted_lows(frames, axis), 0.5)) < 0.05 * stature;
-  return stands_on_zero && height > 0.3 ? height + 0.5 : height;
+  return stands_on_zero && height > 0.3 ? height + 1.0 : height;
 }
 
 bool has_root_at_origin(const Skeleton& skeleton, const Motion& motion, PositionRule rule) {

@@ -24,8 +24,8 @@ struct Box {
                                       int max_samples = 256);
 
 /// The axis that most likely points up, Y or Z: the one along which the figure is tall in the poses of the clip and in
-/// its rest pose, where standing on the plane at 0 counts as half a stature more (four-legged figures are longer than
-/// tall). Y when the evidence is equal (BVH's habit).
+/// its rest pose, where standing on the plane at 0 counts as a stature more (four-legged figures are longer than tall).
+/// Y when the evidence is equal (BVH's habit).
 [[nodiscard]] Axis find_up_axis(const Skeleton& skeleton, const Motion& motion, PositionRule rule);
 
 /// Height of the ground along `up` in file units: a low percentile of the lowest node over the clip, so that one bad
