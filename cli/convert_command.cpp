@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/frame_selection.h"
+#include "cli/report.h"
+#include "cli/table_output.h"
+#include "core/base/number_text.h"
+#include "core/bvh/writer.h"
+#include "core/motion/resampling.h"
+
+namespace marey::cli {
+namespace {
+
+struct ConvertOptions {
+  Input input;
+  std::string output;
+  std::string format;           ///< "bvh", "csv"; empty: by the extension of the output
+  std::string frames;           ///< empty: all
+  double frames_per_second = 0.0;  ///< 0: as they are
+};
+
+std::string check_frames(const std::string& text) {
+  if (parse_frame_selection(text)) return {};
+  return fmt::format("\"{}\" is not FIRST:LAST, counted from 1, such as 10:60", text);
+}
+
+std::string check_rate(const std::string& text) {
+  const NumberRead rate = read_number(text);
+  const bool is_rate = !text.empty() && rate.length == text.size() && std::isfinite(rate.value) && rate.value > 0.0;
+  return is_rate ? "" : fmt::format("\"{}\" is not a number of frames per second above 0", text);
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+/// "bvh" or "csv"; nothing if the output's extension is neither, which has been reported.
+std::optional<std::string> output_format(const ConvertOptions& options) {
+  if (!options.format.empty()) return options.format;
+  if (options.output == "-") return "bvh";
+  const std::string extension = lower_case(std::filesystem::path(options.output).extension().string());
+  if (extension == ".bvh" || extension == ".csv") return extension.substr(1);
+  report_error(options.output, {}, "The extension of a file to write is .bvh or .csv; --to names another format.");
+  return std::nullopt;
+}
+
+/// Trims and resamples the motion as asked; false if that cannot be done, which has been reported.
+bool apply_options(const ConvertOptions& options, BvhClip& clip) {
+  const int frame_count = clip.motion.frame_count();
+  if (const auto selection = parse_frame_selection(options.frames)) {
+    if (selection->last > frame_count) {
+      report_error(options.input.file, {},
+                   fmt::format("The clip has {} frames, so {} cannot be taken.", frame_count, options.frames));
+      return false;
+    }
+    clip.motion = trimmed(clip.motion, {selection->first - 1, selection->last - selection->first + 1});
+  }
+  if (options.frames_per_second > 0.0) {
+    Result<Motion> motion = resampled(clip.skeleton, clip.motion, options.frames_per_second);
+    if (!motion) {
+      report_usage_error(fmt::format("--fps: {}", motion.error().message));
+      return false;
+    }
+    clip.motion = std::move(*motion);
+  }
+  return true;
+}
+
+ExitCode run_convert(const ConvertOptions& options) {
+  const std::optional<std::string> format = output_format(options);
+  if (!format) return ExitCode::BadInput;
+  std::optional<BvhClip> clip = read_clip_for_use(options.input.file, options.input.strict);
+  if (!clip || !apply_options(options, *clip)) return ExitCode::BadInput;
+  if (*format == "csv") return write_channel_table(options.output, clip->skeleton, clip->motion);
+  const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);
+  return write_bytes(options.output, text) ? ExitCode::Done : ExitCode::BadInput;
+}
+
+}  // namespace
+
+void add_convert_command(CLI::App& program, ExitCode& exit_code) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* command = program.add_subcommand("convert", "Write a clip or a part of it as BVH or as CSV of its channels");
+  add_input(*command, options->input, "IN");
+  command->add_option("OUT", options->output, "File to write, .bvh or .csv; - for standard output")->required();
+  command->add_option("--to", options->format, "Format to write, whatever the extension")
+      ->check(CLI::IsMember({"bvh", "csv"}));
+  command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1, both included")->check(check_frames);
+  command->add_option("--fps", options->frames_per_second, "Frames per second to resample to")->check(check_rate);
+  command->callback([options, &exit_code] { exit_code = run_convert(*options); });
+}
+
+}  // namespace marey::cli
