@@ -20,12 +20,13 @@ const jetStep = 1e-3;
 /** Value, slope and curvature of a smooth function by central differences over jetStep, as `quintic` takes them. */
 export function jetOf(curve, at) {
   const [before, here, after] = [curve(at - jetStep), curve(at), curve(at + jetStep)];
-  return { at, value: here, slope: (after - before) / (2 * jetStep), curvature: (after - 2 * here + before) / jetStep ** 2 };
+  const [slope, curvature] = [(after - before) / (2 * jetStep), (after - 2 * here + before) / jetStep ** 2];
+  return { at, value: here, slope, curvature };
 }
 
 /**
- * A periodic function with period 1 from its values at equally spaced phases: the Fourier terms up to `harmonics`, which
- * is the least-squares fit of that smoothness.
+ * A periodic function with period 1 from its values at equally spaced phases: the Fourier terms up to `harmonics`,
+ * which is the least-squares fit of that smoothness.
  */
 export function fourierFit(values, harmonics) {
   const count = values.length;
@@ -39,8 +40,8 @@ export function fourierFit(values, harmonics) {
     const weight = (harmonic === 0 ? 1 : 2) / count;
     terms.push({ turn: 2 * Math.PI * harmonic, cosine: cosine * weight, sine: sine * weight });
   }
-  return (phase) =>
-    terms.reduce((sum, { turn, cosine, sine }) => sum + cosine * Math.cos(turn * phase) + sine * Math.sin(turn * phase), 0);
+  const valueOf = ({ turn, cosine, sine }, phase) => cosine * Math.cos(turn * phase) + sine * Math.sin(turn * phase);
+  return (phase) => terms.reduce((sum, term) => sum + valueOf(term, phase), 0);
 }
 
 /** cos of a whole turn per unit of phase, shifted so that it peaks at `peak`. */

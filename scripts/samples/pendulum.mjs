@@ -8,7 +8,7 @@ import { toDegrees } from "./rotation.mjs";
 
 const amplitude = Math.PI / 2;
 const framesPerSecond = 60;
-const framesPerPeriod = 144;
+const framesPerPeriod = 156;
 const periods = 3;
 const gravity = 980.665;  // cm/s^2
 
@@ -22,7 +22,7 @@ function angleAt(frame) {
 }
 
 export const pendulum = () => bvhText({
-  root: { name: "Pivot", offset: [0, 120, 0], channels: ["Zrotation"], endSite: [0, -length, 0] },
+  root: { name: "Pivot", offset: [0, 140, 0], channels: ["Zrotation"], endSite: [0, -length, 0] },
   frameTime: String(1 / framesPerSecond),
   rows: Array.from({ length: periods * framesPerPeriod }, (_, frame) => [angleAt(frame % framesPerPeriod)]),
 });

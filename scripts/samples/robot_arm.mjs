@@ -3,16 +3,16 @@ import {
   cross, dot, fromColumns, multiply, normalized, rotationX, rotationY, scaled, subtract, toDegrees, transposed,
 } from "./rotation.mjs";
 
-// A six-axis industrial arm of 0.9 m reach with a gripper, centimetres, facing +Z: one rotation channel per axis, rest
-// pose with the upper arm upright and the forearm level. It carries a part from a table to a tilted tray and comes back.
+// A six-axis industrial arm of 1.3 m reach with a gripper, centimetres, facing +Z: one rotation channel per axis, the
+// upper arm upright and the forearm level in the rest pose. It carries a part from a table to a tilted tray.
 
-const shoulder = [0, 40, 2.5];
-const elbow = [0, 45, 0];
-const forearm = [0, 4, 12];
-const wrist = [0, 0, 33];
-const flange = [0, 0, 8];
-const fingerTip = [0, 0, 12];
-const fingerSpread = 2.2;
+const shoulder = [0, 56, 4];
+const elbow = [0, 62, 0];
+const forearm = [0, 6, 17];
+const wrist = [0, 0, 46];
+const flange = [0, 0, 11];
+const fingerTip = [0, 0, 14];
+const fingerSpread = 3;
 
 const joint = (name, offset, channel, more) => ({ name, offset, channels: [channel], ...more });
 
@@ -61,21 +61,21 @@ function poseAt({ tip, approach, across }) {
 
 const lifted = (place, height) => ({ ...place, tip: subtract(place.tip, scaled(normalized(place.approach), height)) });
 
-const part = { tip: [-38, 6, 40], approach: [0, -1, 0], across: [0.5, 0, 1] };
-const tray = { tip: [46, 16, 22], approach: [-0.4, -0.9, 0.15], across: [1, 0, -0.5] };
+const part = { tip: [-53, 8, 56], approach: [0, -1, 0], across: [0.5, 0, 1] };
+const tray = { tip: [64, 22, 31], approach: [-0.4, -0.9, 0.15], across: [1, 0, -0.5] };
 const home = [0, -20, 10, 0, 60, 0];
 
 const open = 24;
 const closed = 0;
 const steps = [
-  { pose: poseAt(lifted(part, 14)), grip: open, frames: 60 },
+  { pose: poseAt(lifted(part, 18)), grip: open, frames: 60 },
   { pose: poseAt(part), grip: open, frames: 36 },
   { pose: poseAt(part), grip: closed, frames: 18 },
-  { pose: poseAt(lifted(part, 14)), grip: closed, frames: 36 },
-  { pose: poseAt(lifted(tray, 14)), grip: closed, frames: 84 },
+  { pose: poseAt(lifted(part, 18)), grip: closed, frames: 36 },
+  { pose: poseAt(lifted(tray, 18)), grip: closed, frames: 84 },
   { pose: poseAt(tray), grip: closed, frames: 36 },
   { pose: poseAt(tray), grip: open, frames: 18 },
-  { pose: poseAt(lifted(tray, 14)), grip: open, frames: 36 },
+  { pose: poseAt(lifted(tray, 18)), grip: open, frames: 36 },
   { pose: home, grip: open, frames: 60 },
 ];
 

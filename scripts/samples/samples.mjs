@@ -20,7 +20,7 @@ const samples = [
   {
     id: "pendulum",
     title: "Pendulum",
-    description: "A pendulum swings 90 degrees to each side, as the exact solution has it, with a period of 2.4 s.",
+    description: "A pendulum swings 90 degrees to each side, as the exact solution has it, with a period of 2.6 s.",
     text: pendulum,
   },
   {

@@ -90,15 +90,15 @@ describe("pendulum", () => {
       const phi = ((i + 0.5) * Math.PI) / (2 * parts);
       integral += Math.PI / (2 * parts) / Math.sqrt(1 - (modulus * Math.sin(phi)) ** 2);
     }
-    near((4 * integral) / Math.sqrt(pull), 144 * step, 1e-8, "period in s");
-    angles.forEach((angle, i) => assert.equal(angle, angles[i % 144], `frame ${i + 1}`));
-    assert.equal(angles.length % 144, 0);
+    near((4 * integral) / Math.sqrt(pull), 156 * step, 1e-8, "period in s");
+    angles.forEach((angle, i) => assert.equal(angle, angles[i % 156], `frame ${i + 1}`));
+    assert.equal(angles.length % 156, 0);
   });
 
   test("passes the lowest point a quarter of the period after its release, and turns at the other side", () => {
     near(angles[0], Math.PI / 2, 1e-12, "release");
-    near(angles[36], 0, 1e-8, "lowest point");
-    near(angles[72], -Math.PI / 2, 1e-8, "turning point");
+    near(angles[39], 0, 1e-8, "lowest point");
+    near(angles[78], -Math.PI / 2, 1e-8, "turning point");
   });
 });
 
@@ -131,7 +131,7 @@ describe("robot arm", () => {
   function toolAt(frame) {
     const { position, rotation } = worldPose(clip, clip.rows[frame])[flange];
     const pointing = turned(rotation, [0, 0, 1]);
-    return { tip: position.map((value, k) => value + 12 * pointing[k]), pointing };
+    return { tip: position.map((value, k) => value + 14 * pointing[k]), pointing };
   }
 
   test("every joint has one rotation channel", () => {
@@ -143,8 +143,8 @@ describe("robot arm", () => {
   test("grips the part from above and puts it down on the tilted tray", () => {
     const tilt = Math.hypot(-0.4, -0.9, 0.15);
     const stations = [
-      { frames: [96, 114], tip: [-38, 6, 40], pointing: [0, -1, 0] },
-      { frames: [270, 288], tip: [46, 16, 22], pointing: [-0.4 / tilt, -0.9 / tilt, 0.15 / tilt] },
+      { frames: [96, 114], tip: [-53, 8, 56], pointing: [0, -1, 0] },
+      { frames: [270, 288], tip: [64, 22, 31], pointing: [-0.4 / tilt, -0.9 / tilt, 0.15 / tilt] },
     ];
     for (const { frames, tip, pointing } of stations) {
       for (const frame of frames) {

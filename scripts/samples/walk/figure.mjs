@@ -1,6 +1,7 @@
-// A person of 175 cm in T-pose, facing +Z, Y up, left = +X; centimetres. Lengths of the limbs after Drillis and Contini's
-// fractions of stature (Winter, Biomechanics and Motor Control of Human Movement, figure 4.1): hip height 0.530, knee
-// height 0.285, ankle height 0.039, shoulder height 0.818, upper arm 0.186, forearm 0.146, foot length 0.152.
+// A person of 175 cm in T-pose, facing +Z, Y up, left = +X; centimetres. The limbs after Drillis and Contini's fractions
+// of stature (Winter, Biomechanics and Motor Control of Human Movement, figure 4.1): hip height 0.530, knee height 0.285,
+// ankle height 0.039, shoulder height 0.818, forearm 0.146, foot length 0.152; the other lengths so that the arms span
+// little more than the stature.
 
 const rotations = ["Zrotation", "Xrotation", "Yrotation"];
 const positions = ["Xposition", "Yposition", "Zposition"];
@@ -18,9 +19,9 @@ export const heelOffset = [0, -ankleHeight, -5];
 const joint = (name, offset, more) => ({ name, offset, channels: rotations, ...more });
 
 function arm(side, sign) {
-  const hand = joint(`${side}Wrist`, [sign * 25.6, 0, 0], { endSite: [sign * 17.5, 0, 0] });
-  const forearm = joint(`${side}Elbow`, [sign * 32.6, 0, 0], { children: [hand] });
-  const upperArm = joint(`${side}Shoulder`, [sign * 16, 0.5, -1.5], { children: [forearm] });
+  const hand = joint(`${side}Wrist`, [sign * 25.3, 0, 0], { endSite: [sign * 17, 0, 0] });
+  const forearm = joint(`${side}Elbow`, [sign * 30.2, 0, 0], { children: [hand] });
+  const upperArm = joint(`${side}Shoulder`, [sign * 14.8, 0.5, -1.5], { children: [forearm] });
   return joint(`${side}Collar`, [sign * 2.5, 19.5, 1], { children: [upperArm] });
 }
 

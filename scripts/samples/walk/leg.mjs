@@ -1,6 +1,7 @@
 import { jetOf, quintic, stillAt } from "../curves.mjs";
 import {
-  add, cross, fromColumns, length, multiply, normalized, rotate, rotationX, scaled, subtract, toDegrees, toZxy, transposed,
+  add, cross, fromColumns, length, multiply, normalized, rotate, rotationX, scaled, subtract, toDegrees, toZxy,
+  transposed,
 } from "../rotation.mjs";
 import { plantedFoot } from "./contact.mjs";
 import { hipOffset, shankLength, thighLength } from "./figure.mjs";
@@ -47,8 +48,8 @@ const lift = (phase) => Math.sin((Math.PI * (phase - toeOff)) / (1 - toeOff)) **
 
 const none = () => 0;
 /**
- * Each joint's curve in the air, and the part of the cycle over which it is bent to the floor's angles after toe-off and
- * before heel strike. The toes are lifted a little more than on average, so that these stiff ones clear the floor.
+ * Each joint's curve in the air, and the part of the cycle over which it is bent to the floor's angles after toe-off
+ * and before heel strike. The toes are lifted a little more than on average, so that these stiff ones clear the floor.
  */
 const jointsInAir = [
   { curve: none, join: 0.4 },

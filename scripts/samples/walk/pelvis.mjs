@@ -5,7 +5,7 @@ import { strideLength } from "./timing.mjs";
 // The pelvis through the cycle, the same for both steps: what turns and sways to the sides goes once per cycle, what
 // pitches, rises and hurries goes twice.
 
-/** { z, x, y } in degrees: the hip of the stance leg high, a slight forward tilt, the hip of the leading leg forward. */
+/** { z, x, y } in degrees: the hip of the stance leg high, a slight tilt forwards, the hip of the leading leg ahead. */
 export const pelvisAngles = (phase) => ({
   z: 3.2 * wave(phase, 0.17) + 0.6 * wave(3 * phase, 0.5),
   x: 5.3 + 0.8 * wave(2 * phase, 0.1),

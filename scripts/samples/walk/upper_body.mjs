@@ -6,8 +6,16 @@ const mean = (a, b) => ({ z: (a.z + b.z) / 2, x: (a.x + b.x) / 2, y: (a.y + b.y)
 
 // World angles in degrees: the chest turns against the pelvis and leans over the stance foot, the head stays where it
 // looks and nods against the rise of the body.
-const chestAngles = (phase) => ({ z: -1.2 * wave(phase, 0.28), x: 2.5 + 0.6 * wave(2 * phase, 0.6), y: 4 * wave(phase, 0.04) });
-const headAngles = (phase) => ({ z: -0.3 * wave(phase, 0.28), x: 1.5 + 0.8 * wave(2 * phase, 0.54), y: 0.6 * wave(phase, 0.1) });
+const chestAngles = (phase) => ({
+  z: -1.2 * wave(phase, 0.28),
+  x: 2.5 + 0.6 * wave(2 * phase, 0.6),
+  y: 4 * wave(phase, 0.04),
+});
+const headAngles = (phase) => ({
+  z: -0.3 * wave(phase, 0.28),
+  x: 1.5 + 0.8 * wave(2 * phase, 0.54),
+  y: 0.6 * wave(phase, 0.1),
+});
 
 const relative = (parent, child) => toZxy(multiply(transposed(fromZxy(parent)), fromZxy(child)));
 

@@ -14,7 +14,10 @@ const armRow = (phase, side) => Object.values(armAngles(phase)).map(side).flatMa
 function legRow(phase, side) {
   const [hipZ, hipX, hipY, kneeX, ankleZ, ankleX, ankleY, toeX] = legAngles(phase);
   const joints = [
-    { z: hipZ, x: hipX, y: hipY }, { z: 0, x: kneeX, y: 0 }, { z: ankleZ, x: ankleX, y: ankleY }, { z: 0, x: toeX, y: 0 },
+    { z: hipZ, x: hipX, y: hipY },
+    { z: 0, x: kneeX, y: 0 },
+    { z: ankleZ, x: ankleX, y: ankleY },
+    { z: 0, x: toeX, y: 0 },
   ];
   return joints.map(side).flatMap(zxy);
 }
