@@ -1,10 +1,10 @@
 // What the page around the program promises.
 import { createServer } from "node:http";
 import { readFileSync } from "node:fs";
+import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import { inRoot } from "../../scripts/lib/shell.mjs";
 import { armClip } from "./support/clips.mjs";
-import { expect, test } from "./support/fixtures.mjs";
+import { expect, siteFolder, test } from "./support/fixtures.mjs";
 
 /** Counts the frames that the page asks for. */
 async function countFrames(page) {
@@ -101,7 +101,7 @@ test("a file of another host is opened when the address names it", async ({ mare
 });
 
 test("the page as one file runs by double click", async ({ marey, page }) => {
-  await page.goto(pathToFileURL(inRoot("dist", "marey.html")).href);
+  await page.goto(pathToFileURL(join(siteFolder, "marey.html")).href);
   await marey.ready();
   await marey.expectState(({ file }) => file, "walk.bvh");
   await marey.command("file.sample.giant-swing");

@@ -109,14 +109,15 @@ describe("a changed channel", () => {
 
 describe("what cannot be answered", () => {
   test("is an error with its place in the file", () => {
-    const cut = arm.slice(0, arm.indexOf("MOTION"));
-    assert.throws(() => marey.parse(cut), (error) => {
+    const deep = `HIERARCHY\nROOT Link\n${"{ OFFSET 0 1 0\nJOINT Link\n".repeat(2500)}`;
+    assert.throws(() => marey.parse(deep), (error) => {
       assert.ok(error instanceof MareyError && error instanceof Error);
-      assert.equal(typeof error.code, "string");
-      assert.ok(error.message.length > 10);
-      assert.ok(error.line >= 1 && error.column >= 1, `${error.line}:${error.column}`);
+      assert.equal(error.code, "limit_depth");
+      assert.match(error.message, /2000/);
+      assert.ok(error.line > 4000 && error.column >= 1, `${error.line}:${error.column}`);
       return true;
     });
+    assert.throws(() => marey.parse("%PDF-1.4"), { name: "MareyError", code: "not_bvh", line: 1, column: 1 });
   });
 
   test("is told by repairs, which strict reading refuses", () => {

@@ -23,12 +23,7 @@ ${rows.join("\n")}
 `;
 }
 
-/** Ends in the middle of the hierarchy, on line 7. */
+/** A chain that is nested more deeply than the reader allows: 2000 joints; it is refused at line 4003. */
 export const brokenClip = `HIERARCHY
-ROOT Hips
-{
-\tOFFSET 0 0 0
-\tCHANNELS 1 Zrotation
-}
-MOSHUN
-`;
+ROOT Link
+${"{ OFFSET 0 1 0\nJOINT Link\n".repeat(2500)}{}`;

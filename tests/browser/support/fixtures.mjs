@@ -9,7 +9,7 @@ export { expect };
 function watch(page, ownHosts) {
   const problems = [];
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type())) problems.push(`console: ${message.text()}`);
+    if (["error", "warning"].includes(message.type()) || message.text().includes("imgui-error")) problems.push(`console: ${message.text()}`);
   });
   page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
   page.on("request", (request) => {
@@ -23,10 +23,13 @@ function rememberVisit() {
   if (!localStorage.getItem("marey.preferences")) localStorage.setItem("marey.preferences", '{"welcomeSeen":true}');
 }
 
+/** The built site; MAREY_SITE names another folder. */
+export const siteFolder = process.env.MAREY_SITE ?? inRoot("dist");
+
 export const test = base.extend({
   /** Address of the built site. */
   site: [async ({}, use) => {
-    const server = await serveFolder(process.env.MAREY_SITE ?? inRoot("dist"));
+    const server = await serveFolder(siteFolder);
     await use(server.url);
     await server.close();
   }, { scope: "worker" }],
