@@ -21,7 +21,7 @@ async function bundle(entry, outfile, options = {}) {
     minify: true,
     format: "esm",
     target: "es2022",
-    alias: { "marey-app": wasm("app.js"), "marey-module": wasm("module.js") },
+    alias: { "marey-app": wasm("app.js"), "marey-module": wasm("marey.js") },
     logLevel: "warning",
     ...options,
   });
@@ -41,8 +41,8 @@ async function buildPage() {
 }
 
 async function buildModule() {
-  await bundle("web/module/marey.ts", dist("module", "marey.js"), { external: ["node:*"] });
-  copyFileSync(wasm("module.wasm"), dist("module", "marey.wasm"));
+  await bundle("web/module/marey.ts", dist("module", "marey.js"), { external: ["node:*"], minify: false });
+  copyFileSync(wasm("marey.wasm"), dist("module", "marey.wasm"));
   run("node", ["node_modules/typescript/bin/tsc", "--project", "tsconfig.module.json"]);
 }
 

@@ -1,4 +1,4 @@
-/** build/wasm/module.js, which esbuild finds by this name. */
+/** build/wasm/marey.js, which esbuild finds by this name. */
 declare module "marey-module" {
   import type { CoreProgram } from "./core_program.js";
   export default function createModule(settings: { wasmBinary: Uint8Array }): Promise<CoreProgram>;
