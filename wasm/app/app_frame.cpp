@@ -40,6 +40,7 @@ void update_window(AppParts& parts, const WindowSize& window, double elapsed_s) 
   io.DisplayFramebufferScale = ImVec2(pixels_per_unit, pixels_per_unit);
   io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, kLongestStep_s));
   options.compact = io.DisplaySize.x < kCompactWidth;
+  options.touch = parts.touched || options.compact;
 }
 
 ThemeKind wanted_theme(const Workspace& workspace) {
@@ -79,7 +80,7 @@ void follow_escape(AppParts& parts) {
 
 void follow_pointer_kind(AppParts& parts) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseClicked[0]) parts.workspace.preferences.options.touch = io.MouseSource == ImGuiMouseSource_TouchScreen;
+  if (io.MouseClicked[0]) parts.touched = io.MouseSource == ImGuiMouseSource_TouchScreen;
 }
 
 void begin_views(AppParts& parts) {
@@ -87,12 +88,8 @@ void begin_views(AppParts& parts) {
   parts.items.begin_frame();
   parts.hover = parts.next_hover;
   parts.next_hover = {};
-  const bool notice_is_fresh = workspace.now_s < workspace.notice_until_s;
-  parts.status = notice_is_fresh ? workspace.notice : std::string();
-  if (!notice_is_fresh && !workspace.notice.empty()) {
-    workspace.notice.clear();
-    parts.redraw = true;
-  }
+  if (workspace.now_s > workspace.notice_until_s) workspace.notice.clear();
+  parts.status = workspace.notice;
 }
 
 void draw_window(AppParts& parts) {
@@ -144,13 +141,11 @@ bool same_hover(const Hover& a, const Hover& b) { return a.joint == b.joint && a
 
 bool is_input_waiting() { return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0; }
 
-// A notice must vanish by itself: the page is asked for frames until it has.
 bool wants_more_frames(AppParts& parts, bool playing) {
   if (is_input_waiting() || !same_hover(parts.hover, parts.next_hover)) parts.settling_frames = kFramesToSettle;
   const bool settling = parts.settling_frames > 0;
   if (settling) --parts.settling_frames;
-  const bool notice_shown = !parts.workspace.notice.empty();
-  return playing || parts.redraw || settling || notice_shown;
+  return playing || parts.redraw || settling;
 }
 
 }  // namespace

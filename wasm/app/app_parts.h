@@ -34,6 +34,7 @@ struct AppParts {
   Shell shell;
   std::uint64_t clip_serial = 0;
 
+  bool touched = false;  ///< the last press came from a finger
   bool redraw = false;
   int settling_frames = 0;  ///< drawn after input without being asked, so that sizes and hovers come to rest
   double last_frame_s = -1.0;

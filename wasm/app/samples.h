@@ -13,7 +13,7 @@ struct Sample {
 };
 
 inline constexpr std::array kSamples = {
-    Sample{"giant-swing", "Giant swing", "A gymnast of three links on the high bar, as printed in a paper"},
+    Sample{"giant-swing", "Giant swing", "A gymnast of three links, from a printed paper"},
     Sample{"walk", "Walk", "A person walks three full cycles"},
     Sample{"pendulum", "Pendulum", "A swing with a known closed form"},
     Sample{"double-pendulum", "Double pendulum", "Two rods that never repeat themselves"},

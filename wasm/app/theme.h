@@ -6,8 +6,8 @@ namespace marey::app {
 
 enum class ThemeKind { Dark, Light };
 
-/// Colours by role; the only place where a colour of the page is decided. Values: the token table of look and feel in
-/// `docs/design/look.md`. Text tokens have contrast AA on app, panel and raised in both themes.
+/// Colours by role; the only place where a colour of the page is decided. Values: the token table of
+/// `../shared/look.md` and what follows from it. Text tokens have contrast AA on app, panel and raised in both themes.
 struct Theme {
   ThemeKind kind = ThemeKind::Dark;
   ImU32 app = 0;        ///< behind the panels

@@ -116,15 +116,22 @@ json set_scale_from(ViewOptions& options, const json& args) {
   return read.failed() ? read.error() : set_scale(options, percent);
 }
 
+int larger_step(const ViewOptions& options) {
+  const auto next = std::upper_bound(kScales_percent.begin(), kScales_percent.end(), scale_percent(options));
+  return next == kScales_percent.end() ? kScales_percent.back() : *next;
+}
+
+int smaller_step(const ViewOptions& options) {
+  const auto here = std::lower_bound(kScales_percent.begin(), kScales_percent.end(), scale_percent(options));
+  return here == kScales_percent.begin() ? kScales_percent.front() : *(here - 1);
+}
+
 void add_scale(CommandRegistry& registry, ViewOptions& options) {
   registry.add({.id = "view.scale.larger",
                 .label = "Larger interface",
                 .help = "Draws text and controls one step larger.",
                 .icon = icons::kZoomIn,
-                .run = [&options](const json&) {
-                  const auto next = std::upper_bound(kScales_percent.begin(), kScales_percent.end(), scale_percent(options));
-                  return set_scale(options, next == kScales_percent.end() ? kScales_percent.back() : *next);
-                },
+                .run = [&options](const json&) { return set_scale(options, larger_step(options)); },
                 .blocked = [&options] {
                   return scale_percent(options) < kScales_percent.back() ? "" : "250 % is the largest.";
                 }});
@@ -132,10 +139,7 @@ void add_scale(CommandRegistry& registry, ViewOptions& options) {
                 .label = "Smaller interface",
                 .help = "Draws text and controls one step smaller.",
                 .icon = icons::kZoomOut,
-                .run = [&options](const json&) {
-                  const auto here = std::lower_bound(kScales_percent.begin(), kScales_percent.end(), scale_percent(options));
-                  return set_scale(options, here == kScales_percent.begin() ? kScales_percent.front() : *(here - 1));
-                },
+                .run = [&options](const json&) { return set_scale(options, smaller_step(options)); },
                 .blocked = [&options] {
                   return scale_percent(options) > kScales_percent.front() ? "" : "100 % is the smallest.";
                 }});
@@ -149,6 +153,9 @@ void add_scale(CommandRegistry& registry, ViewOptions& options) {
                 .help = "Sets the size of text and controls in percent.",
                 .run = [&options](const json& args) { return set_scale_from(options, args); },
                 .in_palette = false});
+}
+
+void add_projector(CommandRegistry& registry, ViewOptions& options) {
   registry.add({.id = "view.projector",
                 .label = "Projector mode",
                 .help = "For a class: larger interface, thicker curves, higher contrast.",
@@ -158,8 +165,8 @@ void add_scale(CommandRegistry& registry, ViewOptions& options) {
                   const bool on = read.boolean("on", !options.projector);
                   if (read.failed()) return read.error();
                   options.projector = on;
-                  set_scale(options, options.projector ? 150 : 100);
-                  return options.projector;
+                  set_scale(options, on ? 150 : 100);
+                  return on;
                 },
                 .checked = [&options] { return options.projector; }});
 }
@@ -174,6 +181,7 @@ void add_view_commands(CommandRegistry& registry, Workspace& workspace) {
   add_theme(registry, workspace, ThemeChoice::Light, "Light theme", "Dark text on light ground.", icons::kSun);
   add_theme(registry, workspace, ThemeChoice::Dark, "Dark theme", "Light text on dark ground.", icons::kMoon);
   add_scale(registry, workspace.preferences.options);
+  add_projector(registry, workspace.preferences.options);
 }
 
 }  // namespace marey::app

@@ -24,7 +24,7 @@ struct ViewOptions {
   float smooth_sigma_frames = 2.0f;
   float interface_scale = 1.0f;  ///< 1 to 2.5
   bool projector = false;        ///< for a class: thicker curves, higher contrast, interface at 150 %
-  bool touch = false;            ///< the last pointer was a finger: targets of 40 px
+  bool touch = false;            ///< the last pointer was a finger, or the page is narrow: targets of 40 px
   bool compact = false;          ///< narrower than 700 units: one column; set by the layout
 };
 

@@ -41,15 +41,18 @@ std::string fitted(std::string_view text, float width) {
   return cut_in_the_middle(text, fits);
 }
 
-bool begin_tip(const ViewContext& context) {
+// ImGui hides a new window for a frame, in which it learns its size.
+bool begin_tip(ViewContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(10, 8));
   const bool open = ImGui::BeginTooltip();
   ImGui::PopStyleVar();
-  if (open) popup_shadow(context);
-  return open;
+  if (!open) return false;
+  popup_shadow(context);
+  if (ImGui::GetCurrentWindow()->Hidden) context.redraw = true;
+  return true;
 }
 
-void draw_tip(const ViewContext& context, std::string_view name, std::string_view help, std::string_view shortcut,
+void draw_tip(ViewContext& context, std::string_view name, std::string_view help, std::string_view shortcut,
               std::string_view reason) {
   if (!begin_tip(context)) return;
   ImGui::PushFont(context.fonts.semibold, 0.0f);

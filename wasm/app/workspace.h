@@ -24,7 +24,8 @@ struct Workspace {
   bool problems_wanted = false;  ///< the inspector is to turn to the problems in the next frame
   SystemPreferences system;
 
-  /// Says for a few seconds what just happened, to the eye and to assistive technology.
+  /// Says what just happened, to the eye and to assistive technology: until something else is said, at least for a
+  /// few seconds. An idle page is not woken to take it away.
   void notify(std::string text);
   std::string notice;
   double notice_until_s = 0.0;

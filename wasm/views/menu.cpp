@@ -101,7 +101,9 @@ void draw_menu(ViewContext& context, MenuEntries entries) {
 }
 
 bool draw_menu_popup(ViewContext& context, const char* id, ImVec2 position, MenuEntries entries) {
+  const ImVec2 page = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos(position);
+  ImGui::SetNextWindowSizeConstraints(ImVec2(0.0f, 0.0f), ImVec2(page.x - 16.0f, page.y - position.y - 8.0f));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(4.0f, 4.0f));
   const bool open = ImGui::BeginPopup(id, ImGuiWindowFlags_NoMove);
   ImGui::PopStyleVar();

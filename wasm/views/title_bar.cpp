@@ -16,7 +16,8 @@ namespace marey::app {
 namespace {
 
 constexpr float kPadding = 12.0f;
-constexpr float kFileNameWidth = 220.0f;
+constexpr float kFileNameWidth = 240.0f;
+constexpr float kDotRoom = 20.0f;
 constexpr float kMenuPadding = 9.0f;
 constexpr float kSearchWidth = 260.0f;
 constexpr float kLeastSearchWidth = 150.0f;
@@ -32,15 +33,16 @@ void draw_program_name(const ViewContext& context) {
   ImGui::SetCursorPos(ImVec2(kPadding + std::ceil(size.x) + 16.0f, row_top()));
 }
 
-// File name, and a dot while it has changes that were not downloaded.
-void draw_file_name(ViewContext& context, float width) {
+// File name, and a dot while it has changes that were not downloaded. Returns the width of the name.
+float draw_file_name(ViewContext& context, float width) {
   const Document& document = context.session.document;
   const bool open = document.skeleton().joint_count() > 0;
   const std::string name = open ? ui::displayable(document.file_name()) : std::string("No file");
   ImGui::AlignTextToFramePadding();
-  ui::elided_text(context, name, width - 16.0f, open ? context.theme.text : context.theme.dim_text);
+  ui::elided_text(context, name, width - kDotRoom, open ? context.theme.text : context.theme.dim_text);
   context.items.add_last("title.file", name);
-  if (!document.is_dirty()) return;
+  const float name_width = ImGui::GetItemRectSize().x;
+  if (!document.is_dirty()) return name_width;
   const ImVec2 end = ImGui::GetItemRectMax();
   const ImVec2 dot(end.x + 10.0f, ImGui::GetWindowPos().y + std::round(ImGui::GetWindowHeight() * 0.5f));
   ImGui::GetWindowDrawList()->AddCircleFilled(dot, 3.5f, context.theme.selection);
@@ -48,6 +50,7 @@ void draw_file_name(ViewContext& context, float width) {
   ImGui::Dummy(ImVec2(12.0f, 12.0f));
   context.items.add_last("title.unsaved", "Not downloaded");
   ui::tool_tip(context, "Not downloaded", "The clip has changes that are only in this tab. Download keeps them.", "Ctrl+S");
+  return name_width;
 }
 
 // Looks like a field, opens the palette.
@@ -130,9 +133,8 @@ void TitleBar::draw_wide(ViewContext& context) {
   const float right = width - right_group_width(context);
   draw_program_name(context);
   const float name_left = ImGui::GetCursorPosX();
-  const float name_width = std::clamp(width * 0.18f, 90.0f, kFileNameWidth);
-  draw_file_name(context, name_width);
-  ImGui::SetCursorPos(ImVec2(name_left + name_width + 8.0f, row_top()));
+  const float name_width = draw_file_name(context, std::clamp(width * 0.18f, 90.0f, kFileNameWidth));
+  ImGui::SetCursorPos(ImVec2(name_left + name_width + kDotRoom + 8.0f, row_top()));
   draw_menus(context);
   const float free_left = ImGui::GetCursorPosX() + 12.0f;
   const float search = std::min(kSearchWidth, right - 16.0f - free_left);

@@ -23,7 +23,7 @@ constexpr char kPromise[] = "View and edit motion capture right here. Your files
 ImVec2 wanted_size(bool compact) {
   constexpr auto kCount = static_cast<float>(kSamples.size());
   if (compact) return {420.0f, 480.0f};
-  return {kCount * kCardWidth + (kCount - 1.0f) * kGap + 2.0f * kPadding, kPictureHeight + kCardTextHeight + 132.0f};
+  return {kCount * kCardWidth + (kCount - 1.0f) * kGap + 2.0f * kPadding, kPictureHeight + kCardTextHeight + 150.0f};
 }
 
 void draw_card_text(const ViewContext& context, const Sample& sample, ImVec2 min, float width) {
@@ -79,12 +79,13 @@ void WelcomeView::draw_head(ViewContext& context, bool& open) {
   ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - kPadding);
   ui::dim_text(context, kPromise);
   ImGui::PopTextWrapPos();
+  ImGui::Dummy(ImVec2(0.0f, 6.0f));
   ImGui::SetCursorPosX(kPadding);
   ui::command_button(context, "file.open", ui::ButtonLook::Primary, true, ".welcome");
   ImGui::SameLine(0.0f, 12.0f);
   ImGui::AlignTextToFramePadding();
   ui::dim_text(context, context.options.compact ? "or start with a sample:" : "or drop a .bvh anywhere, or start with a sample:");
-  ImGui::Dummy(ImVec2(0.0f, 4.0f));
+  ImGui::Dummy(ImVec2(0.0f, 8.0f));
 }
 
 void WelcomeView::draw(ViewContext& context, bool& open) {
