@@ -83,7 +83,8 @@ TEST(FigureShape, JointsInOnePlaceShareABall) {
   const auto& positions = figure->cache.pose().world_positions;
   for (const FigureBall& a : balls) {
     for (const FigureBall& b : balls) {
-      if (&a != &b && a.radius == b.radius) EXPECT_GT(glm::distance(positions[idx(a.node)], positions[idx(b.node)]), 0.0);
+      if (&a == &b || a.radius != b.radius) continue;
+      EXPECT_GT(glm::distance(positions[idx(a.node)], positions[idx(b.node)]), 0.0);
     }
   }
 }
