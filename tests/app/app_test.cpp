@@ -61,6 +61,27 @@ TEST(OpenFile, StateTellsWhatIsOpen) {
   EXPECT_TRUE(state["undoName"].is_null());
 }
 
+TEST(OpenFile, ChangesThatWereNotDownloadedAreNotLost) {
+  AppStage stage;
+  ASSERT_TRUE(stage.open_text("first.bvh", small_bvh(5)).ok());
+  stage.app().run_command("clip.frame_time", {{"seconds", 0.5}});
+  ASSERT_TRUE(stage.open_text("second.bvh", small_bvh(3)).ok());
+  ASSERT_EQ(stage.state()["messages"].size(), 1u);
+  stage.click("file.previous.message");
+  EXPECT_EQ(stage.state()["file"], "first.bvh");
+  EXPECT_DOUBLE_EQ(stage.state()["frameTime"], 0.5);
+  EXPECT_EQ(stage.state()["undoDepth"], 1);
+  EXPECT_TRUE(stage.state()["messages"].empty());
+}
+
+TEST(OpenFile, WithoutChangesNothingIsKept) {
+  AppStage stage;
+  ASSERT_TRUE(stage.open_text("first.bvh", small_bvh(5)).ok());
+  ASSERT_TRUE(stage.open_text("second.bvh", small_bvh(3)).ok());
+  EXPECT_TRUE(stage.state()["messages"].empty());
+  EXPECT_TRUE(stage.app().run_command("file.previous", nullptr).contains("error"));
+}
+
 TEST(Idle, NoFramesAreWantedAtRest) {
   AppStage stage;
   ASSERT_TRUE(stage.open_text("five.bvh", small_bvh(5)).ok());

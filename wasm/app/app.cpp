@@ -41,7 +41,12 @@ Message refusal_message(const std::string& file_name, const Error& error, bool k
   if (error.place.line > 0) detail = fmt::format("Line {}, column {}: ", error.place.line, error.place.column);
   detail += ui::displayable(error.message);
   detail += keeps_document ? " The clip that was open stays as it was." : "";
-  return {MessageKind::Error, ui::displayable(file_name) + " could not be opened", std::move(detail)};
+  return {MessageKind::Error, ui::displayable(file_name) + " could not be opened", std::move(detail), ""};
+}
+
+Message kept_message(const Document& kept) {
+  return {MessageKind::Warning, ui::displayable(kept.file_name()) + " has changes that were not downloaded",
+          "They are kept until the next file is opened.", "file.previous"};
 }
 
 std::string opened_text(const Session& session) {
@@ -85,11 +90,9 @@ Status App::open_file(std::string file_name, std::string_view bytes) {
     workspace.backend.announce(message.title + ". " + message.detail);
     return clip.error();
   }
-  workspace.session = Session::open(std::move(clip.value()), std::move(file_name));
+  workspace.open(Session::open(std::move(clip.value()), std::move(file_name)));
   workspace.messages.clear();
-  parts_->time_window.fit(workspace.session.document.motion().frame_count());
-  parts_->shell.document_opened();
-  ++parts_->clip_serial;
+  if (workspace.previous) workspace.messages.add(kept_message(workspace.previous->document));
   workspace.session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
   if (!is_sample_file(workspace.session.document.file_name())) {
     workspace.overlay = Overlay::None;

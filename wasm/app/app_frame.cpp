@@ -92,7 +92,16 @@ void begin_views(AppParts& parts) {
   parts.status = workspace.notice;
 }
 
+// Views keep what belongs to the open clip (camera, axes, folds): they hear when it is another one.
+void follow_clip(AppParts& parts) {
+  if (parts.shown_clip_serial == parts.workspace.clip_serial) return;
+  parts.shown_clip_serial = parts.workspace.clip_serial;
+  parts.time_window.fit(parts.workspace.session.document.motion().frame_count());
+  parts.shell.document_opened();
+}
+
 void draw_window(AppParts& parts) {
+  follow_clip(parts);
   ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
   ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -152,7 +161,7 @@ bool wants_more_frames(AppParts& parts, bool playing) {
 
 ViewContext AppParts::make_context() {
   return {.session = workspace.session,
-          .clip_serial = clip_serial,
+          .clip_serial = workspace.clip_serial,
           .commands = commands,
           .options = workspace.preferences.options,
           .time_window = time_window,

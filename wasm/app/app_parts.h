@@ -32,7 +32,7 @@ struct AppParts {
   std::string status;
   Scene scene;
   Shell shell;
-  std::uint64_t clip_serial = 0;
+  std::uint64_t shown_clip_serial = 0;  ///< the clip that the views have been told of
 
   bool touched = false;  ///< the last press came from a finger
   bool redraw = false;

@@ -1,8 +1,7 @@
-#include <cctype>
-
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/samples.h"
+#include "wasm/app/widgets.h"
 
 namespace marey::app {
 namespace {
@@ -66,6 +65,16 @@ void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
                 .icon = icons::kDownload,
                 .run = [&workspace](const json&) { return download(workspace); },
                 .blocked = [&workspace] { return needs_clip(workspace); }});
+  registry.add({.id = "file.previous",
+                .label = "Go back to the other file",
+                .help = "Shows the file again that was open before, with the changes that were not downloaded.",
+                .icon = icons::kUndo2,
+                .run = [&workspace](const json&) -> json {
+                  workspace.go_back();
+                  workspace.notify("This is " + ui::displayable(workspace.session.document.file_name()) + " again.");
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return workspace.previous ? "" : "No other file has unsaved changes."; }});
   registry.add({.id = "file.samples",
                 .label = "Samples…",
                 .help = "Shows the clips that come with Marey.",

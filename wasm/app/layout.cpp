@@ -47,22 +47,18 @@ Region take_right(Region& rest, float width) {
 }
 
 void lay_out_wide(const LayoutInput& input, Region rest, Layout& layout) {
-  const ViewOptions& options = input.preferences->options;
   const PanelSizes& sizes = input.preferences->sizes;
-  if (options.show_curves) {
-    Region lower = take_bottom(rest, clamp_to(sizes.curves_height, curves_limits(input.size)));
-    layout.ruler = take_top(lower, kRulerHeight);
-    layout.curves = lower;
-  } else {
-    layout.ruler = take_bottom(rest, kRulerHeight);
-  }
+  const float lower_height = clamp_to(sizes.curves_height, curves_limits(input.size)) - kRulerHeight;
+  layout.curves = take_bottom(rest, std::round(lower_height * input.curves_share));
+  if (!layout.curves.empty()) layout.curves.max.y = layout.curves.min.y + lower_height;
+  layout.ruler = take_bottom(rest, kRulerHeight);
   layout.transport = take_bottom(rest, input.touch ? kTouchTransportHeight : kTransportHeight);
-  if (options.show_outliner) {
-    layout.outliner = take_left(rest, clamp_to(sizes.outliner_width, outliner_limits(input.size)));
-  }
-  if (options.show_inspector) {
-    layout.inspector = take_right(rest, clamp_to(sizes.inspector_width, inspector_limits(input.size)));
-  }
+  const float outliner_width = clamp_to(sizes.outliner_width, outliner_limits(input.size));
+  const float inspector_width = clamp_to(sizes.inspector_width, inspector_limits(input.size));
+  layout.outliner = take_left(rest, std::round(outliner_width * input.outliner_share));
+  layout.inspector = take_right(rest, std::round(inspector_width * input.inspector_share));
+  if (!layout.outliner.empty()) layout.outliner.min.x = layout.outliner.max.x - outliner_width;
+  if (!layout.inspector.empty()) layout.inspector.max.x = layout.inspector.min.x + inspector_width;
   layout.viewport = rest;
 }
 

@@ -15,7 +15,8 @@ struct Region {
   [[nodiscard]] bool empty() const { return width() <= 0.0f || height() <= 0.0f; }
 };
 
-/// Where everything stands. Regions never overlap and fill the window.
+/// Where everything stands. Regions never overlap and fill the window; a panel that is opening or closing keeps its full
+/// size and reaches out of the window.
 ///
 ///     wide:                                     compact (narrower than kCompactWidth):
 ///     title                                     title
@@ -43,10 +44,15 @@ struct LayoutInput {
   ImVec2 size;              ///< of the window, ImGui units
   float messages_height = 0.0f;
   bool touch = false;
+  /// How far the panels are open, 0..1; between the two while one opens or closes.
+  float outliner_share = 1.0f;
+  float inspector_share = 1.0f;
+  float curves_share = 1.0f;
   const Preferences* preferences = nullptr;
 };
 
-/// The measures of look and feel; panels shrink before the viewport vanishes.
+/// The measures of look and feel; panels shrink before the viewport vanishes. A wide page shows the panels by their
+/// shares, a narrow one the sheet of the preferences.
 [[nodiscard]] Layout compute_layout(const LayoutInput& input);
 
 /// The bounds that a splitter keeps to in a window of `size`.

@@ -13,6 +13,7 @@ struct Message {
   MessageKind kind = MessageKind::Error;
   std::string title;   ///< "walk.bvh could not be opened"
   std::string detail;  ///< where and why, and what to do
+  std::string command;  ///< id of a command that a button offers, ""
 };
 
 /// The unread messages, newest first. A repeated message moves to the front instead of piling up.

@@ -136,13 +136,27 @@ void Shell::draw_time_panels(ViewContext& context, const Layout& layout) {
   draw_region(context, {"curves", layout.curves, panel}, [&] { curves_.draw(context); });
 }
 
+Layout Shell::lay_out(ViewContext& context, Workspace& workspace) {
+  const ViewOptions& options = workspace.preferences.options;
+  const double elapsed_s = static_cast<double>(ImGui::GetIO().DeltaTime);
+  const bool at_once = context.system.reduced_motion || options.compact;
+  const auto move = [&](Transition& transition, bool shown) {
+    if (transition.advance(shown, elapsed_s, at_once)) context.redraw = true;
+    return transition.share();
+  };
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  return compute_layout({.size = size,
+                         .messages_height = message_strip_.height(context, workspace.messages, size.x),
+                         .touch = options.touch,
+                         .outliner_share = move(outliner_opening_, options.show_outliner),
+                         .inspector_share = move(inspector_opening_, options.show_inspector),
+                         .curves_share = move(curves_opening_, options.show_curves),
+                         .preferences = &workspace.preferences});
+}
+
 void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
   Preferences& preferences = workspace.preferences;
-  const ImVec2 size = ImGui::GetIO().DisplaySize;
-  const Layout layout = compute_layout({.size = size,
-                                        .messages_height = message_strip_.height(context, workspace.messages, size.x),
-                                        .touch = preferences.options.touch,
-                                        .preferences = &preferences});
+  const Layout layout = lay_out(context, workspace);
   if (workspace.problems_wanted) inspector_.show(InspectorView::Page::Problems);
   workspace.problems_wanted = false;
 

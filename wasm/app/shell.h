@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wasm/app/layout.h"
+#include "wasm/app/transition.h"
 #include "wasm/app/view_context.h"
 #include "wasm/app/workspace.h"
 #include "wasm/render/scene.h"
@@ -34,6 +35,11 @@ class Shell {
   void draw_side_panels(ViewContext& context, const Layout& layout);
   void draw_time_panels(ViewContext& context, const Layout& layout);
 
+  Layout lay_out(ViewContext& context, Workspace& workspace);
+
+  Transition outliner_opening_;
+  Transition inspector_opening_;
+  Transition curves_opening_;
   TitleBar title_bar_;
   MessageStrip message_strip_;
   OutlinerView outliner_;

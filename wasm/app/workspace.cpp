@@ -7,6 +7,18 @@ namespace {
 constexpr double kNoticeDuration_s = 4.0;
 }
 
+void Workspace::open(Session opened) {
+  ++clip_serial;
+  previous.reset();
+  if (session.document.is_dirty()) previous = std::move(session);
+  session = std::move(opened);
+}
+
+void Workspace::go_back() {
+  ++clip_serial;
+  std::swap(session, *previous);
+}
+
 void Workspace::notify(std::string text) {
   backend.announce(text);
   notice = std::move(text);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/document/session.h"
@@ -18,11 +20,19 @@ struct Workspace {
 
   Backend& backend;
   Session session;
+  /// What was open before, with changes that were not downloaded, so that opening a file loses nothing.
+  std::optional<Session> previous;
+  std::uint64_t clip_serial = 0;  ///< grows with each change of what is open
   Preferences preferences;
   Messages messages;
   Overlay overlay = Overlay::None;
   bool problems_wanted = false;  ///< the inspector is to turn to the problems in the next frame
   SystemPreferences system;
+
+  /// Opens a session in place of the present one, which is kept as `previous` when it has changes to lose.
+  void open(Session opened);
+  /// Exchanges `session` and `previous`. Precondition: there is a previous one.
+  void go_back();
 
   /// Says what just happened, to the eye and to assistive technology: until something else is said, at least for a
   /// few seconds. An idle page is not woken to take it away.

@@ -4,12 +4,12 @@ namespace marey::app {
 namespace {
 
 constexpr std::string_view kFile[] = {
-    "file.open", "file.save", "", "file.samples", "", "file.sample.giant-swing", "file.sample.walk", "file.sample.pendulum",
+    "file.open", "file.save", "file.previous", "", "file.samples", "", "file.sample.giant-swing", "file.sample.walk", "file.sample.pendulum",
     "file.sample.double-pendulum", "file.sample.robot-arm"};
 
 constexpr std::string_view kEdit[] = {
-    "edit.undo", "edit.redo", "", "#Samples", "curve.select_all", "curve.select_none", "curve.smooth", "curve.scale",
-    "curve.move", "", "#Joints", "select.parent", "select.child", "select.none"};
+    "edit.undo", "edit.redo", "", "#Samples", "curve.select_all", "curve.select_none", "curve.smooth",
+    "", "#Joints", "select.parent", "select.child", "select.none"};
 
 constexpr std::string_view kClip[] = {
     "play.toggle", "play.loop", "play.first", "play.last", "play.previous", "play.next", "", "#Speed", "play.slower",

@@ -30,7 +30,15 @@ KindLook look_of(const Theme& theme, MessageKind kind) {
   return {icons::kInfo, theme.accent};
 }
 
-float text_width(float width) { return width - kTextIndent - 2.0f * kPadding - ImGui::GetFrameHeight(); }
+float button_width(const ViewContext& context, const Message& message) {
+  const Command* command = message.command.empty() ? nullptr : context.commands.find(message.command);
+  return command == nullptr ? 0.0f : ImGui::CalcTextSize(command->label.c_str()).x + 56.0f;
+}
+
+float text_width(const ViewContext& context, const Message& message, float width) {
+  const float free = width - kTextIndent - 2.0f * kPadding - ImGui::GetFrameHeight() - button_width(context, message);
+  return std::max(free, 80.0f);
+}
 
 std::string waiting_text(const Messages& messages) {
   const int waiting = size_of(messages.list()) - 1;
@@ -42,7 +50,7 @@ std::string waiting_text(const Messages& messages) {
 float MessageStrip::height(const ViewContext& context, const Messages& messages, float width) const {
   if (messages.list().empty()) return 0.0f;
   const Message& message = messages.list().front();
-  const float wrap = std::max(text_width(width), 80.0f);
+  const float wrap = text_width(context, message, width);
   float height = context.fonts.semibold->CalcTextSizeA(Fonts::kTextSize, wrap, wrap, message.title.c_str()).y;
   if (!message.detail.empty()) {
     height += kLineGap + context.fonts.text->CalcTextSizeA(Fonts::kTextSize, wrap, wrap, message.detail.c_str()).y;
@@ -66,7 +74,7 @@ void MessageStrip::draw(ViewContext& context, Messages& messages) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8.0f, kLineGap));
   ImGui::SetCursorPos(ImVec2(kTextIndent, kVerticalPadding));
   ImGui::BeginGroup();
-  ImGui::PushTextWrapPos(kTextIndent + std::max(text_width(width), 80.0f));
+  ImGui::PushTextWrapPos(kTextIndent + text_width(context, message, width));
   ImGui::PushFont(context.fonts.semibold, 0.0f);
   ImGui::TextUnformatted(message.title.c_str());
   ImGui::PopFont();
@@ -77,8 +85,14 @@ void MessageStrip::draw(ViewContext& context, Messages& messages) {
   context.items.add_last("message.text", message.title + " " + message.detail);
   ImGui::PopStyleVar();
 
-  ImGui::SetCursorPos(ImVec2(width - kPadding - ImGui::GetFrameHeight(), kVerticalPadding - 6.0f));
-  if (ui::icon_button(context, "message.close", icons::kX, "Close this message")) messages.close(0);
+  const float close_x = width - kPadding - ImGui::GetFrameHeight();
+  bool close = false;
+  if (!message.command.empty()) {
+    ImGui::SetCursorPos(ImVec2(close_x - button_width(context, message), kVerticalPadding - 4.0f));
+    close = ui::command_button(context, message.command, ui::ButtonLook::Raised, true, ".message");
+  }
+  ImGui::SetCursorPos(ImVec2(close_x, kVerticalPadding - 6.0f));
+  if (ui::icon_button(context, "message.close", icons::kX, "Close this message") || close) messages.close(0);
 }
 
 }  // namespace marey::app
