@@ -7,6 +7,10 @@ import { fileURLToPath } from "node:url";
 export const root = fileURLToPath(new URL("../..", import.meta.url));
 export const inRoot = (...parts) => join(root, ...parts);
 
+// Clones of the same sources share what ccache has kept, wherever they lie.
+process.env.CCACHE_BASEDIR ??= root;
+process.env.CCACHE_NOHASHDIR ??= "true";
+
 /** What went wrong in words that a person can act on; `main` prints it without a stack. */
 export class Failure extends Error {}
 

@@ -13,7 +13,8 @@ function findNpmScripts() {
 }
 
 function findSubcommands() {
-  const help = execFileSync(fileURLToPath(new URL("build/native/marey", root)), ["--help"], { encoding: "utf8" });
+  const program = process.env.MAREY_CLI ?? fileURLToPath(new URL("build/native/marey", root));
+  const help = execFileSync(program, ["--help"], { encoding: "utf8" });
   const list = help.split(/^subcommands:\s*$/im)[1] ?? "";
   return [...list.matchAll(/^ {2}([a-z][\w-]*)/gm)].map(([, word]) => word);
 }
