@@ -4,6 +4,7 @@
 #include <cstring>
 #include <numeric>
 
+#include "core/math/axis_turn.h"
 #include "core/math/lanes.h"
 #include "core/math/sincos.h"
 
@@ -48,17 +49,6 @@ LaneVector rotated(const LaneQuat& q, const LaneVector& v) {
           v.z + q.w * z + (q.x * y - q.y * x)};
 }
 
-// q * (cosine + sine * axis): the product with a turn about one axis has half the terms of a full one.
-LaneQuat turned(const LaneQuat& q, int axis, const SinCos<Lanes>& half) {
-  const Lanes& s = half.sine;
-  const Lanes& c = half.cosine;
-  switch (axis) {
-    case 0: return {q.w * c - q.x * s, q.x * c + q.w * s, q.y * c + q.z * s, q.z * c - q.y * s};
-    case 1: return {q.w * c - q.y * s, q.x * c - q.z * s, q.y * c + q.w * s, q.z * c + q.x * s};
-    default: return {q.w * c - q.z * s, q.x * c + q.y * s, q.y * c - q.x * s, q.z * c + q.w * s};
-  }
-}
-
 }  // namespace
 
 FrameBlock::FrameBlock(const Skeleton& skeleton, const Motion& motion, PositionRule rule,
@@ -99,7 +89,7 @@ FrameBlock::Drives FrameBlock::add_drives(const Skeleton& skeleton, const Motion
   ChannelIndex index = skeleton.first_channel(joint);
   for (const Channel& channel : skeleton.channels(joint)) {
     if (wanted(channel.kind)) {
-      drives_.push_back({static_cast<int>(axis_of(channel.kind)), motion.channel_samples(index).data()});
+      drives_.push_back({axis_of(channel.kind), motion.channel_samples(index).data()});
     }
     ++index;
   }
@@ -114,7 +104,8 @@ void FrameBlock::place(const Step& step, FrameRange frames) {
     Lanes local[3] = {zero + step.offset.x, zero + step.offset.y, zero + step.offset.z};
     for (const Drive& move : drives(step.moves)) {
       const Lanes sample = load_samples(move.samples + frames.first + i, frames.count - i);
-      local[move.axis] = rule_ == PositionRule::Add ? local[move.axis] + sample : sample;
+      Lanes& coordinate = local[static_cast<int>(move.axis)];
+      coordinate = rule_ == PositionRule::Add ? coordinate + sample : sample;
     }
     const LaneQuat q = {load(parent.w, i), load(parent.x, i), load(parent.y, i), load(parent.z, i)};
     const LaneVector moved = rotated(q, {local[0], local[1], local[2]});
@@ -131,7 +122,7 @@ void FrameBlock::turn(const Step& step, FrameRange frames) {
     LaneQuat q = {load(parent.w, i), load(parent.x, i), load(parent.y, i), load(parent.z, i)};
     for (const Drive& turn : drives(step.turns)) {
       const Lanes angle_deg = load_samples(turn.samples + frames.first + i, frames.count - i);
-      q = turned(q, turn.axis, sincos_deg(0.5 * angle_deg));
+      q = turned_about(q, turn.axis, sincos_deg(0.5 * angle_deg));
     }
     store(own.w, i, q.w);
     store(own.x, i, q.x);

@@ -52,7 +52,7 @@ class FrameBlock {
   };
   // A channel that moves its joint. `samples` is the curve over the whole motion.
   struct Drive {
-    int axis;
+    Axis axis;
     const double* samples;
   };
   // Part of drives_.

@@ -1,5 +1,10 @@
 #include "core/kinematics/pose.h"
 
+#include <cstring>
+
+#include "core/math/axis_turn.h"
+#include "core/math/lanes.h"
+#include "core/math/sincos.h"
 #include "core/motion/sampling.h"
 
 namespace marey {
@@ -19,11 +24,44 @@ glm::dvec3 local_translation(const Skeleton& skeleton, JointIndex joint, Positio
   return translation;
 }
 
+// Fetches the samples of a frame, which lie far apart in memory, before anything waits for them.
+void gather_samples(const Motion& motion, FrameIndex frame, std::vector<double>& samples) {
+  for (ChannelIndex channel = 0; channel < motion.channel_count(); ++channel) {
+    samples[idx(channel)] = motion.sample(channel, frame);
+  }
+}
+
+// Half-angle sines and cosines of all channels, several at once. Positions are taken along: they are few.
+void compute_half_turns(LocalPose::Scratch& scratch) {
+  for (std::size_t i = 0; i < scratch.samples.size(); i += idx(kLaneCount)) {
+    Lanes angles_deg;
+    std::memcpy(&angles_deg, &scratch.samples[i], sizeof(angles_deg));
+    const SinCos<Lanes> half = sincos_deg(0.5 * angles_deg);
+    std::memcpy(&scratch.half_sines[i], &half.sine, sizeof(half.sine));
+    std::memcpy(&scratch.half_cosines[i], &half.cosine, sizeof(half.cosine));
+  }
+}
+
+glm::dquat local_rotation(const Skeleton& skeleton, JointIndex joint, const LocalPose::Scratch& scratch) {
+  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+  std::size_t index = idx(skeleton.first_channel(joint));
+  for (const Channel& channel : skeleton.channels(joint)) {
+    if (is_rotation(channel.kind)) {
+      const SinCos<double> half{scratch.half_sines[index], scratch.half_cosines[index]};
+      rotation = turned_about(rotation, axis_of(channel.kind), half);
+    }
+    ++index;
+  }
+  return rotation;
+}
+
 }  // namespace
 
 void LocalPose::resize(const Skeleton& skeleton) {
   local_translations.resize(idx(skeleton.joint_count()), glm::dvec3(0.0));
   local_rotations.resize(idx(skeleton.joint_count()), glm::dquat(1.0, 0.0, 0.0, 0.0));
+  const std::size_t whole_lanes = idx((skeleton.channel_count() + kLaneCount - 1) / kLaneCount * kLaneCount);
+  for (auto* column : {&scratch.samples, &scratch.half_sines, &scratch.half_cosines}) column->resize(whole_lanes);
 }
 
 void WorldPose::resize(const Skeleton& skeleton) {
@@ -33,16 +71,19 @@ void WorldPose::resize(const Skeleton& skeleton) {
 
 void compute_local_pose(const Skeleton& skeleton, const Motion& motion, FrameIndex frame, PositionRule rule,
                         LocalPose& local) {
+  gather_samples(motion, frame, local.scratch.samples);
+  compute_half_turns(local.scratch);
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     local.local_translations[idx(joint)] = local_translation(
-        skeleton, joint, rule, [&](ChannelIndex channel) { return motion.sample(channel, frame); });
-    local.local_rotations[idx(joint)] = joint_rotation(skeleton, motion, joint, frame);
+        skeleton, joint, rule, [&](ChannelIndex channel) { return local.scratch.samples[idx(channel)]; });
+    local.local_rotations[idx(joint)] = local_rotation(skeleton, joint, local.scratch);
   }
 }
 
 void compute_local_pose_between(const Skeleton& skeleton, const Motion& motion, double frame, PositionRule rule,
                                 LocalPose& local) {
   const FrameBlend at = find_frame_blend(motion.frame_count(), frame);
+  if (at.weight == 0.0) return compute_local_pose(skeleton, motion, at.frame, rule, local);
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     local.local_translations[idx(joint)] = local_translation(
         skeleton, joint, rule, [&](ChannelIndex channel) { return sample_at(motion, channel, at); });

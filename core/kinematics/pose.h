@@ -16,6 +16,14 @@ struct LocalPose {
   std::vector<glm::dvec3> local_translations;  ///< per joint
   std::vector<glm::dquat> local_rotations;     ///< per joint, unit length
 
+  /// Room for what computing a pose needs in between, per channel.
+  struct Scratch {
+    std::vector<double> samples;
+    std::vector<double> half_sines;
+    std::vector<double> half_cosines;
+  };
+  Scratch scratch;
+
   void resize(const Skeleton& skeleton);
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/math/euler.h"
+#include "core/math/axis_turn.h"
 
 namespace marey {
 namespace {
@@ -18,7 +18,9 @@ glm::dquat rotation_of_channels(const Skeleton& skeleton, JointIndex joint, Angl
   glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
   ChannelIndex index = skeleton.first_channel(joint);
   for (const Channel& channel : skeleton.channels(joint)) {
-    if (is_rotation(channel.kind)) rotation = rotation * axis_rotation(axis_of(channel.kind), angle_deg_of(index));
+    if (is_rotation(channel.kind)) {
+      rotation = turned_about(rotation, axis_of(channel.kind), sincos_deg(0.5 * angle_deg_of(index)));
+    }
     ++index;
   }
   return rotation;

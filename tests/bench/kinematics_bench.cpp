@@ -153,7 +153,8 @@ void marey_clip(benchmark::State& state) {
   count_joint_frames(state, kFrames);
 }
 
-void marey_single_poses(benchmark::State& state) {
+// Frames `step` apart: 1 is playing, a large step is scrubbing, where no sample is in the cache.
+void marey_single_poses(benchmark::State& state, int step) {
   const GeneratedClip& clip = generated_clip();
   LocalPose local;
   WorldPose world;
@@ -164,7 +165,7 @@ void marey_single_poses(benchmark::State& state) {
     compute_local_pose(clip.skeleton, clip.motion, frame, PositionRule::Replace, local);
     compute_world_pose(clip.skeleton, local, world);
     benchmark::DoNotOptimize(world.world_positions.data());
-    frame = (frame + 997) % kFrames;
+    frame = (frame + step) % kFrames;
   }
   count_joint_frames(state, 1);
 }
@@ -198,7 +199,8 @@ BENCHMARK(glm_matrices)->Name("fk/clip/glm_matrices")->Unit(benchmark::kMillisec
 BENCHMARK(glm_quaternions)->Name("fk/clip/glm_quaternions")->Unit(benchmark::kMillisecond);
 BENCHMARK(marey_clip)->Name("fk/clip/marey")->Unit(benchmark::kMillisecond);
 BENCHMARK(marey_node_path)->Name("fk/node_path/marey")->Unit(benchmark::kMillisecond);
-BENCHMARK(marey_single_poses)->Name("fk/one_pose/marey");
+BENCHMARK_CAPTURE(marey_single_poses, playing, 1)->Name("fk/one_pose/playing/marey");
+BENCHMARK_CAPTURE(marey_single_poses, scrubbing, 997)->Name("fk/one_pose/scrubbing/marey");
 BENCHMARK(sincos_library)->Name("sincos/library");
 BENCHMARK(sincos_marey)->Name("sincos/marey");
 
