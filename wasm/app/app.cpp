@@ -91,6 +91,8 @@ Status App::open_file(std::string file_name, std::string_view bytes) {
     return clip.error();
   }
   workspace.open(Session::open(std::move(clip.value()), std::move(file_name)));
+  // The root is selected, so that the first thing the curve editor shows is curves.
+  workspace.session.selection.select_only(0);
   workspace.messages.clear();
   if (workspace.previous) workspace.messages.add(kept_message(workspace.previous->document));
   workspace.session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());

@@ -85,8 +85,8 @@ void OutlinerView::click(ViewContext& context, JointIndex joint) {
   shown_active_ = selection.active_joint();
 }
 
-bool OutlinerView::draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height) {
-  if (!row.has_children || !search_.empty()) return false;
+void OutlinerView::draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height) {
+  if (!row.has_children || !search_.empty()) return;
   ImGui::SetCursorScreenPos(min);
   const std::string id = fmt::format("outliner.fold.{}", row.joint);
   const bool pressed = ImGui::InvisibleButton(id.c_str(), {kFoldWidth, height});
@@ -95,7 +95,6 @@ bool OutlinerView::draw_fold_button(ViewContext& context, const Row& row, ImVec2
   const char* icon = folded_[idx(row.joint)] ? icons::kChevronRight : icons::kChevronDown;
   const ImU32 color = ImGui::IsItemHovered() ? context.theme.text : context.theme.dim_text;
   ImGui::GetWindowDrawList()->AddText({min.x + 2.0f, min.y + 0.5f * (height - ImGui::GetFontSize())}, color, icon);
-  return pressed;
 }
 
 void OutlinerView::draw_eye_button(ViewContext& context, JointIndex joint, ImVec2 max, float height) {
@@ -136,20 +135,19 @@ void OutlinerView::draw_row(ViewContext& context, const Row& row) {
   const Skeleton& skeleton = context.session.document.skeleton();
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max{min.x + ImGui::GetContentRegionAvail().x, min.y + height};
-  const std::string id = fmt::format("outliner.joint.{}", row.joint);
-  ImGui::SetNextItemAllowOverlap();
-  const bool clicked = ImGui::InvisibleButton(id.c_str(), {max.x - min.x, height});
-  context.items.add_last(id, skeleton.name(row.joint));
   const bool hovered = ImGui::IsMouseHoveringRect(min, max) && ImGui::IsWindowHovered();
   if (hovered) context.next_hover.joint = row.joint;
   draw_row_content(context, row, min, max, hovered);
+  // The small buttons come first: of items over one another the first takes the click, also of a tap without a hover.
   const float indent = kIndent * static_cast<float>(std::min(skeleton.depth(row.joint), kMostIndents));
   draw_fold_button(context, row, {min.x + 6.0f + indent, min.y}, height);
   if (hovered || !shows_curves(context.session.selection, skeleton, row.joint)) {
     draw_eye_button(context, row.joint, max, height);
   }
-  if (clicked) click(context, row.joint);
-  ImGui::SetCursorScreenPos({min.x, max.y});
+  ImGui::SetCursorScreenPos(min);
+  const std::string id = fmt::format("outliner.joint.{}", row.joint);
+  if (ImGui::InvisibleButton(id.c_str(), {max.x - min.x, height})) click(context, row.joint);
+  context.items.add_last(id, skeleton.name(row.joint));
 }
 
 void OutlinerView::handle_keys(ViewContext& context) {

@@ -28,7 +28,7 @@ class OutlinerView {
   void draw_rows(ViewContext& context);
   void draw_row(ViewContext& context, const Row& row);
   void draw_row_content(ViewContext& context, const Row& row, ImVec2 min, ImVec2 max, bool hovered);
-  bool draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height);
+  void draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height);
   void draw_eye_button(ViewContext& context, JointIndex joint, ImVec2 max, float height);
   void click(ViewContext& context, JointIndex joint);
   void handle_keys(ViewContext& context);

@@ -70,7 +70,6 @@ TEST(TimelineView, TheRangeHandlesSetWhatPlays) {
 TEST(TransportView, TheFrameFieldGoesToAFrame) {
   AppStage stage;
   stage.open_sample("giant-swing");
-  stage.app().run_command("play.toggle", {{"playing", false}});
   stage.settle();
   stage.double_click("play.frame");
   stage.press(ImGuiMod_Ctrl | ImGuiKey_A);

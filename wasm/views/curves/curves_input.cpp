@@ -173,8 +173,9 @@ void handle_curves_input(ViewContext& context, CurvesState& state) {
   }
   if (ImGui::IsItemActivated()) begin_drag(context, state);
   if (ImGui::IsItemActive() && state.drag.kind != CurveDragKind::None) continue_drag(context, state);
-  if (ImGui::IsItemDeactivated()) finish_drag(context, state);
+  // Escape also takes the item's activity away, so it must be asked for first.
   if (dragging && ImGui::IsKeyPressed(ImGuiKey_Escape)) cancel_drag(context, state);
+  if (ImGui::IsItemDeactivated()) finish_drag(context, state);
   if (hovered) {
     handle_wheel(context, state);
     show_pointer(context, state);
