@@ -35,6 +35,11 @@ EMSCRIPTEN_KEEPALIVE void marey_focus(PageBinding* binding, int focused) {
   binding->page.input().set_focus(focused != 0);
 }
 
+/// 1 while input waits for a further frame.
+EMSCRIPTEN_KEEPALIVE int marey_has_waiting_input(PageBinding* /*binding*/) {
+  return marey::app::Input::has_waiting_events() ? 1 : 0;
+}
+
 EMSCRIPTEN_KEEPALIVE void marey_set_clipboard_text(PageBinding* binding, const char* text, size_t text_size) {
   binding->page.set_clipboard_text(std::string(view_of(text, text_size)));
 }

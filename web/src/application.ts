@@ -103,13 +103,10 @@ export class Application {
       this.loop.drawNow();
       wake();
     });
-    new PointerInput(this.canvas, this.program, {
-      wake,
-      settle: () => this.loop.settleNow(),
-      takeKeyboard: () => this.textField.takeKeyboard(),
-    });
+    const takeInput = (): void => this.loop.takeInputNow(() => this.program.hasWaitingInput());
+    new PointerInput(this.canvas, this.program, { wake, takeInput, takeKeyboard: () => this.textField.takeKeyboard() });
     const shortcuts = (this.program.commands() as CommandInfo[]).map(({ shortcut }) => shortcut ?? "");
-    new KeyboardInput(this.program, this.textField, shortcutChords(shortcuts), wake);
+    new KeyboardInput(this.program, this.textField, shortcutChords(shortcuts), { wake, takeInput });
     window.addEventListener("paste", (event) => this.paste(event));
     document.addEventListener("visibilitychange", wake);
     watchSystemPreferences(wake);

@@ -27,6 +27,7 @@ declare module "marey-app" {
       modifiers: number): void;
     _marey_text(page: number, text: number, textSize: number): void;
     _marey_focus(page: number, focused: number): void;
+    _marey_has_waiting_input(page: number): number;
     _marey_set_clipboard_text(page: number, text: number, textSize: number): void;
   }
 

@@ -1,3 +1,6 @@
+/** At most so many frames are drawn at once to bring waiting input to the program. */
+const mostFramesAtOnce = 8;
+
 /** Frames drawn after the last input: ImGui shows the answer to an input in the frame after the one that takes it. */
 const framesAfterInput = 3;
 
@@ -25,9 +28,13 @@ export class FrameLoop {
     this.run(performance.now());
   }
 
-  /** Draws at once until the program has taken all input, for what a browser only allows inside of an event. */
-  settleNow(): void {
-    for (let i = 0; i < framesAfterInput + 1; i++) this.drawNow();
+  /**
+   * Draws at once until the program has taken all input: files, clipboard and keyboards of phones may only be opened
+   * while the browser still handles the event that asks for them.
+   */
+  takeInputNow(hasWaitingInput: () => boolean): void {
+    this.request();
+    for (let i = 0; i < mostFramesAtOnce && !this.paused && hasWaitingInput(); i++) this.drawNow();
   }
 
   pause(): void {

@@ -13,7 +13,7 @@ export class KeyboardInput {
     private readonly textField: TextField,
     /** "ctrl+shift+z" for each shortcut of the program. */
     private readonly shortcuts: ReadonlySet<string>,
-    private readonly wake: () => void,
+    private readonly effects: { wake(): void; takeInput(): void },
   ) {
     window.addEventListener("keydown", (event) => this.press(event, true));
     window.addEventListener("keyup", (event) => this.press(event, false));
@@ -29,7 +29,8 @@ export class KeyboardInput {
     if (down && event.metaKey) this.program.pressKey(event.code, event.key, false, event);
     if (down && this.isForProgram(event)) event.preventDefault();
     if (down && !this.isTyping(event)) this.textField.forgetTyped();
-    this.wake();
+    if (down && !event.repeat) this.effects.takeInput();
+    else this.effects.wake();
   }
 
   private isForProgram(event: KeyboardEvent): boolean {
@@ -48,7 +49,7 @@ export class KeyboardInput {
 
   private setFocus(focused: boolean): void {
     this.program.setFocus(focused);
-    this.wake();
+    this.effects.wake();
   }
 }
 

@@ -10,8 +10,8 @@ const linesPerPage = 8;
 export interface PointerEffects {
   /** Asks for a frame after input. */
   wake(): void;
-  /** Draws at once after a finger was lifted, so that a text field that was tapped can raise the keyboard. */
-  settle(): void;
+  /** Lets the program take the input at once. */
+  takeInput(): void;
   /** Brings the keyboard to the program. */
   takeKeyboard(): void;
 }
@@ -65,6 +65,7 @@ export class PointerInput {
     }
     this.sendPosition(event);
     this.sendButton(event, false);
+    this.effects.takeInput();
   }
 
   private cancel(event: PointerEvent): void {

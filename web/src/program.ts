@@ -121,6 +121,11 @@ export class Program {
     this.module._marey_focus(this.page, focused ? 1 : 0);
   }
 
+  /** Whether input waits for a further frame: a press and its release are taken in one each. */
+  hasWaitingInput(): boolean {
+    return this.module._marey_has_waiting_input(this.page) !== 0;
+  }
+
   setClipboardText(text: string): void {
     this.withBytes([encode(text)], (address, size) =>
       this.module._marey_set_clipboard_text(this.page, address!, size!));

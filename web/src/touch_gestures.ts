@@ -31,7 +31,7 @@ export class TouchGestures {
 
   constructor(
     private readonly program: Program,
-    private readonly effects: { wake(): void; settle(): void },
+    private readonly effects: { wake(): void; takeInput(): void },
   ) {}
 
   down(event: PointerEvent): void {
@@ -57,7 +57,7 @@ export class TouchGestures {
     if (phase.kind === "undecided") this.click(Button.Left, phase.start, event);
     else this.release(event);
     this.finish();
-    this.effects.settle();
+    this.effects.takeInput();
     this.program.leavePointer();
     this.effects.wake();
   }
