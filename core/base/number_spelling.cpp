@@ -55,6 +55,7 @@ PlainSpelling::PlainSpelling(const NumberFormat& format)
       smallest_(power_of_ten(format.exponent_below)),
       end_(power_of_ten(format.exponent_from)) {
   if (shortest_) unique_below_ = 1'000'000'000'000'000;
+  if (!format.leading_zero) unique_below_ = 0;
 }
 
 bool is_spelled_as(std::string_view text, double value, const NumberFormat& format) {

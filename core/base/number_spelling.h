@@ -31,7 +31,7 @@ class PlainSpelling {
     return magnitude == 0.0 || (magnitude >= smallest_ && magnitude < end_);
   }
 
-  std::uint64_t unique_below_ = 0;  ///< no other digits of the same form give the same value
+  std::uint64_t unique_below_ = 0;  ///< no other digits of the same form give the same value; 0 matches nothing
   int decimals_ = 0;
   bool shortest_ = false;
   double smallest_ = 0.0;  ///< written without an exponent: [smallest_, end_)

@@ -76,8 +76,9 @@ inline int take_digits(const char* p, std::uint64_t& mantissa) {
 
 }  // namespace detail
 
-/// Reads a plain number at `p`; kPlainNumberReach bytes must be readable. `end` is null for exponents, a sign '+',
-/// more than 8 digits before or 16 behind the point, a mantissa over 2^53, and for what is no number.
+/// Reads a plain number at `p` that ends before a blank; kPlainNumberReach bytes must be readable. `end` is null for
+/// exponents, a sign '+', more than 8 digits before or 16 behind the point, a mantissa over 2^53, and for what is no
+/// number.
 inline PlainNumber scan_plain_number(const char* p, char point = '.') {
   PlainNumber number;
   number.negative = *p == '-';
@@ -94,7 +95,7 @@ inline PlainNumber scan_plain_number(const char* p, char point = '.') {
   constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53;
   const bool some_digit = number.integer_digits + number.decimals > 0;
   const bool no_overflow = number.integer_digits + number.decimals <= 19;
-  if (some_digit && no_overflow && number.mantissa <= kLargestExact && !is_digit(*p)) number.end = p;
+  if (some_digit && no_overflow && number.mantissa <= kLargestExact && is_blank(*p)) number.end = p;
   return number;
 }
 

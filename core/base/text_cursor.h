@@ -17,7 +17,7 @@ namespace marey {
 /// `text` without the blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
 /// `text` for a message: at most 40 bytes of it, bytes that are not printable ASCII or UTF-8 shown as '?'.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string shown(std::string_view text);
 
 /// Turns byte offsets into lines and columns. CR, LF and CRLF each end a line. Offsets that grow from call to call cost
 /// one pass over the text in all.

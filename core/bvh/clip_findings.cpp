@@ -15,7 +15,7 @@
 namespace marey {
 namespace {
 
-std::string label(const Skeleton& skeleton, NodeIndex node) { return quoted(node_label(skeleton, node)); }
+std::string label(const Skeleton& skeleton, NodeIndex node) { return shown(node_label(skeleton, node)); }
 
 struct NodeCensus {
   std::vector<int> children;   ///< per joint
@@ -39,7 +39,7 @@ void note_ends(const Hierarchy& hierarchy, Report& report) {
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     const std::size_t place = hierarchy.node_places[idx(skeleton.node_of(joint))];
     const int ends = census.end_sites[idx(joint)];
-    const std::string name = quoted(skeleton.name(joint));
+    const std::string name = shown(skeleton.name(joint));
     if (census.children[idx(joint)] == 0 && ends == 0) {
       report.add(DiagnosticCode::LeafWithoutEndSite, place,
                  fmt::format("'{}' ends a limb but has no End Site; its last bone has no direction.", name), "End Site", "");
@@ -65,8 +65,8 @@ void note_names(const Hierarchy& hierarchy, Report& report) {
     if (name.empty() || seen.insert(name).second) continue;
     report.add_each(DiagnosticCode::DuplicateName, hierarchy.node_places[idx(skeleton.node_of(joint))],
                     fmt::format("Another joint is called '{}' too; programs that find joints by name mix them up.",
-                                quoted(name)),
-                    "a name of its own", quoted(name));
+                                shown(name)),
+                    "a name of its own", shown(name));
   }
 }
 
@@ -78,7 +78,7 @@ void note_channels(const Hierarchy& hierarchy, Report& report) {
       if (channel.kind == ChannelKind::Other || ++count[static_cast<std::size_t>(channel.kind)] != 2) continue;
       report.add(DiagnosticCode::RepeatedChannel, hierarchy.node_places[idx(skeleton.node_of(joint))],
                  fmt::format("'{}' has {} twice; both are kept and applied one after the other.",
-                             quoted(skeleton.name(joint)), channel_keyword(channel.kind)),
+                             shown(skeleton.name(joint)), channel_keyword(channel.kind)),
                  "", channel_keyword(channel.kind).data());
     }
   }
@@ -156,7 +156,7 @@ void note_root_offset(const Hierarchy& hierarchy, Report& report) {
     report.add(DiagnosticCode::PositionsReplaceOffset, hierarchy.node_places[idx(skeleton.node_of(joint))],
                fmt::format("The root '{}' has an OFFSET and position channels; the channels replace it. Programs that "
                            "add both show the figure moved.",
-                           quoted(skeleton.name(joint))));
+                           shown(skeleton.name(joint))));
   }
 }
 

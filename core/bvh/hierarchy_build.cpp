@@ -98,7 +98,7 @@ void HierarchyBuilder::open_joint(RawBlock& block) {
   if (block.kind == RawBlock::Kind::Joint && builder_.open_depth() == 0) {
     result_.needs_printing = true;
     report_.add_each(DiagnosticCode::JointOutsideRoot, block.place,
-                     fmt::format("JOINT '{}' stands outside of any ROOT; it was read as a root.", quoted(block.name)),
+                     fmt::format("JOINT '{}' stands outside of any ROOT; it was read as a root.", shown(block.name)),
                      "ROOT", "JOINT");
   }
   builder_.open_joint(std::string(block.name), offset_of(block));
@@ -109,7 +109,7 @@ void HierarchyBuilder::open_joint(RawBlock& block) {
   }
   if (block.has_body && !block.has_channels) {
     report_.add_each(DiagnosticCode::MissingChannels, block.place,
-                     fmt::format("'{}' has no CHANNELS line; it was read as having no channels.", quoted(block.name)),
+                     fmt::format("'{}' has no CHANNELS line; it was read as having no channels.", shown(block.name)),
                      "CHANNELS", "");
   }
 }
@@ -140,7 +140,7 @@ glm::dvec3 HierarchyBuilder::offset_of(const RawBlock& block) {
     if (block.has_body) {
       report_.add_each(DiagnosticCode::MissingOffset, block.place,
                        fmt::format("'{}' has no OFFSET; 0 0 0 was used.",
-                                   block.kind == RawBlock::Kind::EndSite ? "End Site" : quoted(block.name)),
+                                   block.kind == RawBlock::Kind::EndSite ? "End Site" : shown(block.name)),
                        "OFFSET", "");
     }
   } else if (block.offset.count == 3) {
@@ -179,7 +179,7 @@ void HierarchyBuilder::close_all(std::size_t place, bool at_end) {
   } else {
     report_.add_each(DiagnosticCode::MissingClosingBrace, place,
                      fmt::format("{} '}}' are missing before this place; they were added.", missing), "}",
-                     quoted(TextCursor(text_, place).peek_word()));
+                     shown(TextCursor(text_, place).peek_word()));
   }
   while (builder_.open_depth() > 0) builder_.close_joint();
   open_is_joint_.clear();

@@ -109,8 +109,8 @@ void HierarchyParser::skip_unknown_word() {
   if (!seen_keyword_) return;  // check_start() says what the text is
   const bool behind_tree = open_.empty() && !result_.blocks.empty() && !awaits_brace_;
   report_.add_each(behind_tree ? DiagnosticCode::TextAfterHierarchyEnd : DiagnosticCode::UnexpectedToken, place,
-                   fmt::format("'{}' means nothing here and was left out.", quoted(word)),
-                   behind_tree ? "MOTION" : "OFFSET, CHANNELS, JOINT, End Site or '}'", quoted(word));
+                   fmt::format("'{}' means nothing here and was left out.", shown(word)),
+                   behind_tree ? "MOTION" : "OFFSET, CHANNELS, JOINT, End Site or '}'", shown(word));
 }
 
 /// Judges what stands before the first keyword, once it is known whether there is one.
@@ -122,12 +122,12 @@ void HierarchyParser::check_start(std::size_t begin) {
   if (!seen_keyword_ && keyword != Keyword::Motion && keyword != Keyword::Frames) {
     report_.fail(DiagnosticCode::NotBvh, start.offset(),
                  "This is not a BVH file: it has neither HIERARCHY nor ROOT. Open a file written as BVH.", "HIERARCHY",
-                 quoted(word));
+                 shown(word));
   } else if (seen_keyword_ && keyword == Keyword::None && word != "#" && word.substr(0, 1) != "#" &&
              word.substr(0, 2) != "//") {
     report_.add(DiagnosticCode::UnexpectedToken, start.offset(),
-                fmt::format("The text before HIERARCHY, beginning with '{}', was left out.", quoted(word)), "HIERARCHY",
-                quoted(word));
+                fmt::format("The text before HIERARCHY, beginning with '{}', was left out.", shown(word)), "HIERARCHY",
+                shown(word));
   }
 }
 
@@ -136,8 +136,8 @@ void HierarchyParser::check_case(Keyword keyword, std::string_view word, std::si
   if (word.substr(0, right.size()) == right) return;
   report_.add(DiagnosticCode::KeywordCase, place,
               fmt::format("'{}' was read as {}; many other programs want capitals as the format writes them.",
-                          quoted(word), right),
-              std::string(right), quoted(word));
+                          shown(word), right),
+              std::string(right), shown(word));
 }
 
 RawBlock* HierarchyParser::current_block() {
@@ -186,19 +186,19 @@ void HierarchyParser::read_end_site(std::size_t place, std::string_view end_word
   if (!has_site) {
     result_.needs_printing = true;
     report_.add_each(DiagnosticCode::UnexpectedToken, place, "'End' without 'Site' was read as End Site.", "End Site",
-                     quoted(site));
+                     shown(site));
   } else if (site.substr(0, kSite.size()) != kSite) {
     report_.add(DiagnosticCode::KeywordCase, place,
                 "'End Site' is not spelled as the format writes it; many other programs want capitals E and S.",
-                "End Site", quoted(site));
+                "End Site", shown(site));
   }
   const bool site_is_next = cursor_.text().data() + cursor_.offset() == site.data();
   if (has_site && site_is_next) cursor_.move_to(cursor_.offset() + kSite.size());
   const std::string_view name = cursor_.take_name();
   if (!name.empty()) {
     report_.add(DiagnosticCode::NamedEndSite, place,
-                fmt::format("The end site has a name ('{}'), which was kept; some other programs refuse it.", quoted(name)),
-                "End Site", quoted(name));
+                fmt::format("The end site has a name ('{}'), which was kept; some other programs refuse it.", shown(name)),
+                "End Site", shown(name));
   }
   open_block(RawBlock::Kind::EndSite, place, name);
 }
@@ -251,7 +251,7 @@ void HierarchyParser::settle_missing_body(bool block_goes_on) {
   if (block_goes_on) {
     report_.add_each(DiagnosticCode::MissingOpeningBrace, cursor_.offset(),
                      fmt::format("The '{{' of {} is missing; it was added.", description_of(block)), "{",
-                     quoted(cursor_.peek_word()));
+                     shown(cursor_.peek_word()));
     push_open(index, block.place);
     return;
   }
@@ -259,7 +259,7 @@ void HierarchyParser::settle_missing_body(bool block_goes_on) {
   const std::string what = block.kind == RawBlock::Kind::EndSite ? "The end site" : "Joint " + description_of(block);
   report_.add_each(DiagnosticCode::JointWithoutBlock, block.place,
                    what + " has no block; it was read as a point at its parent, without channels.", "{",
-                   quoted(cursor_.peek_word().empty() ? cursor_.rest().substr(0, 1) : cursor_.peek_word()));
+                   shown(cursor_.peek_word().empty() ? cursor_.rest().substr(0, 1) : cursor_.peek_word()));
 }
 
 void HierarchyParser::read_offset(std::size_t place) {
@@ -331,7 +331,7 @@ void HierarchyParser::read_channels(std::size_t place) {
 
 std::string description_of(const RawBlock& block) {
   if (block.kind == RawBlock::Kind::EndSite) return "the end site";
-  return block.name.empty() ? "the joint without a name" : fmt::format("'{}'", quoted(block.name));
+  return block.name.empty() ? "the joint without a name" : fmt::format("'{}'", shown(block.name));
 }
 
 HierarchyText read_hierarchy_text(TextCursor& cursor, const ReadLimits& limits, Report& report) {

@@ -52,8 +52,8 @@ const char* RowReader::skip_gap(const char* p, bool& line_ends) {
     const std::string_view comment = first_line(rest(p));
     if (!report_.count_repeat(DiagnosticCode::Comment)) {
       report_.add(DiagnosticCode::Comment, offset_of(p),
-                  fmt::format("The comment '{}' is kept; most other programs stumble over comments.", quoted(comment)), "",
-                  quoted(comment));
+                  fmt::format("The comment '{}' is kept; most other programs stumble over comments.", shown(comment)), "",
+                  shown(comment));
     }
     p += comment.size();
   }
@@ -178,13 +178,13 @@ const char* RowReader::read_value(const char* p, int channel, double& value, boo
     value = number.value;
     if (number.out_of_range && !report_.count_repeat(DiagnosticCode::NumberRange)) {
       report_.add(DiagnosticCode::NumberRange, offset_of(p),
-                  fmt::format("'{}' is too small for a number of 64 bits and was read as 0.", quoted(word)), "",
-                  quoted(word));
+                  fmt::format("'{}' is too small for a number of 64 bits and was read as 0.", shown(word)), "",
+                  shown(word));
     }
     if (end != end_ && !is_separator(*end, survey_.look) && !report_.count_repeat(DiagnosticCode::NumbersRunTogether)) {
       report_.add(DiagnosticCode::NumbersRunTogether, offset_of(end),
                   "A blank is missing between two numbers; they were told apart by the sign.", "a blank",
-                  quoted(word_at(end)));
+                  shown(word_at(end)));
     }
     return end;
   }
@@ -200,8 +200,8 @@ double RowReader::replace_value(const char* p, std::string_view word, int channe
   if (!report_.count_repeat(code)) {
     report_.add(code, offset_of(p),
                 fmt::format("'{}' is not a usable number; the value of the frame before was taken (0 in the first frame).",
-                            quoted(word)),
-                "a number", quoted(word));
+                            shown(word)),
+                "a number", shown(word));
   }
   return store_.previous_row()[channel];
 }

@@ -84,21 +84,21 @@ void OffsetReader::read_word_as_number(std::string_view word) {
   const NumberRead number = read_number(word, comma ? ',' : '.');
   if (comma) {
     report_.add(DiagnosticCode::DecimalComma, place,
-                fmt::format("'{}' has a decimal comma, which was read as a point.", quoted(word)), "a decimal point",
-                quoted(word));
+                fmt::format("'{}' has a decimal comma, which was read as a point.", shown(word)), "a decimal point",
+                shown(word));
   }
   if (is_not_finite_text(word) || !std::isfinite(number.value)) {
     result_.repaired = true;
-    report_.add_each(DiagnosticCode::NotFinite, place, fmt::format("The offset '{}' was read as 0.", quoted(word)),
-                     "a finite number", quoted(word));
+    report_.add_each(DiagnosticCode::NotFinite, place, fmt::format("The offset '{}' was read as 0.", shown(word)),
+                     "a finite number", shown(word));
     keep(place, word.size(), 0.0);
     cursor_.move_to(place + word.size());
     return;
   }
   if (number.length == 0) {
     result_.repaired = true;
-    report_.add_each(DiagnosticCode::BadNumber, place, fmt::format("'{}' is not a number; 0 was used.", quoted(word)),
-                     "a number", quoted(word));
+    report_.add_each(DiagnosticCode::BadNumber, place, fmt::format("'{}' is not a number; 0 was used.", shown(word)),
+                     "a number", shown(word));
     keep(place, word.size(), 0.0);
     cursor_.move_to(place + word.size());
     return;
@@ -120,7 +120,7 @@ void OffsetReader::check_what_follows() {
   }
   const std::string_view rest = cursor_.peek_word();
   report_.add_each(DiagnosticCode::BadNumber, place,
-                   fmt::format("'{}' behind the number was left out.", quoted(rest)), "a blank", quoted(rest));
+                   fmt::format("'{}' behind the number was left out.", shown(rest)), "a blank", shown(rest));
   cursor_.move_to(place + rest.size());
 }
 
@@ -138,13 +138,13 @@ std::optional<double> take_count(TextCursor& cursor) {
 void check_channel_spelling(const RawChannel& channel, std::size_t place, Report& report) {
   if (channel.kind == ChannelKind::Other) {
     report.add_each(DiagnosticCode::UnknownChannel, place,
-                    fmt::format("Channel '{}' is not known; its values are kept but move nothing.", quoted(channel.keyword)),
-                    "Xposition ... Zrotation", quoted(channel.keyword));
+                    fmt::format("Channel '{}' is not known; its values are kept but move nothing.", shown(channel.keyword)),
+                    "Xposition ... Zrotation", shown(channel.keyword));
   } else if (channel.keyword != channel_keyword(channel.kind)) {
     report.add(DiagnosticCode::ChannelCase, place,
                fmt::format("'{}' was read as {}; many other programs want the format's spelling.",
-                           quoted(channel.keyword), channel_keyword(channel.kind)),
-               std::string(channel_keyword(channel.kind)), quoted(channel.keyword));
+                           shown(channel.keyword), channel_keyword(channel.kind)),
+               std::string(channel_keyword(channel.kind)), shown(channel.keyword));
   }
 }
 
@@ -186,8 +186,8 @@ void skip_blanks_and_comments(TextCursor& cursor, Report& report) {
     const std::string_view comment = cursor.skip_line();
     if (report.count_repeat(DiagnosticCode::Comment)) continue;
     report.add(DiagnosticCode::Comment, place,
-               fmt::format("The comment '{}' is kept; most other programs stumble over comments.", quoted(comment)), "",
-               quoted(comment));
+               fmt::format("The comment '{}' is kept; most other programs stumble over comments.", shown(comment)), "",
+               shown(comment));
   }
 }
 

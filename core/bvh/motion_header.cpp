@@ -63,8 +63,8 @@ bool MotionHeaderReader::read_statement() {
   cursor_.take_word();
   result_.needs_printing = true;
   report_.add_each(DiagnosticCode::UnexpectedToken, place,
-                   fmt::format("'{}' means nothing here and was left out.", quoted(word)), "Frames: or Frame Time:",
-                   quoted(word));
+                   fmt::format("'{}' means nothing here and was left out.", shown(word)), "Frames: or Frame Time:",
+                   shown(word));
   return true;
 }
 
@@ -73,8 +73,8 @@ void MotionHeaderReader::check_case(std::string_view right) {
   const std::string_view found = cursor_.rest().substr(0, right.size());
   if (found != right) {
     report_.add(DiagnosticCode::KeywordCase, cursor_.offset(),
-                fmt::format("'{}' was read as {}; many other programs want the format's spelling.", quoted(found), right),
-                std::string(right), quoted(found));
+                fmt::format("'{}' was read as {}; many other programs want the format's spelling.", shown(found), right),
+                std::string(right), shown(found));
   }
   cursor_.move_to(cursor_.offset() + found.size());
 }
@@ -87,7 +87,7 @@ void MotionHeaderReader::pass_colon(std::string_view keyword) {
     result_.needs_printing = true;
     report_.add_each(DiagnosticCode::UnexpectedToken, cursor_.offset(),
                      fmt::format("The colon behind {} is missing; it was added.", keyword), ":",
-                     quoted(cursor_.peek_word()));
+                     shown(cursor_.peek_word()));
   }
   cursor_.skip_blanks();
 }
@@ -106,8 +106,8 @@ void MotionHeaderReader::read_frame_count() {
   } else {
     result_.needs_printing = true;
     report_.add(DiagnosticCode::MissingFrameCount, cursor_.offset(),
-                fmt::format("'{}' is not a frame count; the rows were counted instead.", quoted(word)), "a whole number",
-                quoted(word));
+                fmt::format("'{}' is not a frame count; the rows were counted instead.", shown(word)), "a whole number",
+                shown(word));
   }
   if (starts_like_number(word)) cursor_.take_word();
 }
@@ -127,18 +127,18 @@ void MotionHeaderReader::read_frame_time() {
   result_.frame_time_slot = {place, word.size(), number.value};
   if (comma) {
     report_.add(DiagnosticCode::DecimalComma, place,
-                fmt::format("'{}' has a decimal comma, which was read as a point.", quoted(word)), "a decimal point",
-                quoted(word));
+                fmt::format("'{}' has a decimal comma, which was read as a point.", shown(word)), "a decimal point",
+                shown(word));
   }
   if (number.length != word.size() || !std::isfinite(number.value) || !(number.value > 0.0)) {
     report_.add(DiagnosticCode::FrameTimeNotPositive, place,
-                fmt::format("Frame Time '{}' is no time; 1/30 of a second is used.", quoted(word)),
-                "seconds per frame", quoted(word));
+                fmt::format("Frame Time '{}' is no time; 1/30 of a second is used.", shown(word)),
+                "seconds per frame", shown(word));
   } else if (number.value >= kSlowestBelievable) {
     result_.frame_time_s = 1.0 / number.value;
     report_.add(DiagnosticCode::FrameTimeLooksLikeRate, place,
                 fmt::format("Frame Time {} looks like frames per second; 1/{} of a second is used.", word, word),
-                "seconds per frame", quoted(word));
+                "seconds per frame", shown(word));
   } else {
     result_.frame_time_s = number.value;
   }

@@ -53,17 +53,17 @@ NumberLook find_look(std::string_view rows, const std::vector<std::string_view>&
   return decimal_fits || !separated_fits ? decimal : separated;
 }
 
-/// The most frequent number of values in a line.
-int usual_value_count(const std::vector<std::string_view>& lines, const NumberLook& look) {
+/// The number of values that at least half of the lines have, `channel_count` in doubt; 0 if there is none.
+int usual_value_count(const std::vector<std::string_view>& lines, int channel_count, const NumberLook& look) {
   std::map<int, int> lines_by_count;
   for (const std::string_view line : lines) ++lines_by_count[count_values(line, look)];
-  int best = 0;
-  int most = 0;
+  int best = channel_count;
+  int most = lines_by_count[channel_count];
   for (const auto& [count, frequency] : lines_by_count) {
     if (frequency > most) best = count;
     most = std::max(most, frequency);
   }
-  return 2 * most > size_of(lines) ? best : 0;
+  return 2 * most >= size_of(lines) ? best : 0;
 }
 
 std::int64_t count_filled_lines(std::string_view rows) {
@@ -131,7 +131,11 @@ std::vector<ColumnStyle> learn_columns(const std::vector<SampledRow>& rows, int 
   columns[0].gap = line_end;
   const SampledRow& last = rows.back();
   for (int c = 1; c < channel_count; ++c) columns[idx(c)].gap = gap_between(last[idx(c) - 1], last[idx(c)]);
-  if (rows.size() > 1) columns[0].gap = gap_between(rows[rows.size() - 2].back(), last.front());
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const std::string_view gap = gap_between(rows[row - 1].back(), rows[row].front());
+    // Between sampled rows there may be others that have another length.
+    if (gap_length(gap, look) == gap.size()) columns[0].gap = gap;
+  }
   const std::vector<NumberFormat> formats = guess_formats(rows, look.point);
   for (int c = 0; c < channel_count; ++c) {
     ColumnStyle& column = columns[idx(c)];
@@ -150,7 +154,7 @@ MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional
   survey.columns.front().gap = line_end;
   const std::vector<std::string_view> lines = sample_lines(rows);
   survey.look = find_look(rows, lines, channel_count);
-  survey.values_per_line = usual_value_count(lines, survey.look);
+  survey.values_per_line = usual_value_count(lines, channel_count, survey.look);
   if (survey.values_per_line != channel_count && !lines.empty()) {
     survey.layout = judge_odd_lines(rows, survey.values_per_line, channel_count, declared_frames);
   }

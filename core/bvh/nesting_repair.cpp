@@ -56,7 +56,7 @@ bool closes_early(const HierarchyText& hierarchy, int event, EventRange range) {
 }
 
 std::string description(const RawBlock& block) {
-  return block.kind == RawBlock::Kind::EndSite ? "End Site" : fmt::format("'{}'", quoted(block.name));
+  return block.kind == RawBlock::Kind::EndSite ? "End Site" : fmt::format("'{}'", shown(block.name));
 }
 
 void join(HierarchyText& hierarchy, int event, Report& report) {

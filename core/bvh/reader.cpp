@@ -106,8 +106,8 @@ void BvhReader::read_motion() {
   if (!behind.empty()) {
     report_.add(DiagnosticCode::TextAfterMotion, static_cast<std::size_t>(behind.data() - text_.data()),
                 fmt::format("The text behind the motion, beginning with '{}', is kept as it is.",
-                            quoted(TextCursor(behind, 0).take_word())),
-                "the end of the file", quoted(behind));
+                            shown(TextCursor(behind, 0).take_word())),
+                "the end of the file", shown(behind));
   }
   keep_style(rows);
   clip_.motion = Motion(skeleton.channel_count(), rows.frame_count, header_.frame_time_s, std::move(rows.samples));

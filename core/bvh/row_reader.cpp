@@ -153,6 +153,21 @@ MotionRows RowReader::take_result() {
 
 namespace {
 
+void report_commas(const RowsInput& input, const NumberLook& look, Report& report) {
+  const std::size_t comma = input.text.find_first_of(",;", input.data_begin);
+  if (look.point == ',') {
+    std::size_t begin = comma;
+    while (begin > input.data_begin && !is_blank(input.text[begin - 1])) --begin;
+    report.add(DiagnosticCode::DecimalComma, begin,
+               "The numbers have decimal commas throughout, which were read as points; most other programs cannot read them.",
+               "decimal points", shown(TextCursor(input.text, begin).peek_word()));
+  } else if (look.commas_separate) {
+    report.add(DiagnosticCode::CommaBetweenNumbers, comma,
+               "Commas stand between the numbers; they were read as blanks, most other programs cannot read them.",
+               "blanks", std::string(1, input.text[comma]));
+  }
+}
+
 /// Without channels there are no values to count, so the declared count is all there is.
 MotionRows rows_without_channels(const RowsInput& input, const ReadLimits& limits, Report& report) {
   MotionRows rows;
@@ -171,10 +186,10 @@ MotionRows rows_without_channels(const RowsInput& input, const ReadLimits& limit
 
 MotionRows read_motion_rows(const RowsInput& input, const ReadLimits& limits, Report& report) {
   if (input.channel_count == 0) return rows_without_channels(input, limits, report);
-  RowReader reader(input, limits,
-                   survey_rows(input.text.substr(input.data_begin), input.channel_count, input.declared_frames,
-                               input.line_end),
-                   report);
+  MotionSurvey survey = survey_rows(input.text.substr(input.data_begin), input.channel_count, input.declared_frames,
+                                    input.line_end);
+  report_commas(input, survey.look, report);
+  RowReader reader(input, limits, std::move(survey), report);
   reader.read_all();
   return report.failed() ? MotionRows{} : reader.take_result();
 }
