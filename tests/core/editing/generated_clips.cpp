@@ -87,7 +87,9 @@ Clip make_random_clip(Random& random) {
   const int joint_count = 1 + random.below(6);
   for (int joint = 0; joint < joint_count; ++joint) {
     while (builder.open_depth() > 1 && random.one_in(3)) builder.close_joint();
-    builder.open_joint("J" + std::to_string(random.below(3)), {random.between(-9, 9), 0, random.between(-9, 9)});
+    std::string name = "J";
+    name += std::to_string(random.below(3));
+    builder.open_joint(std::move(name), {random.between(-9, 9), 0, random.between(-9, 9)});
     for (int i = random.below(5); i > 0; --i) builder.add_channel(static_cast<ChannelKind>(random.below(9)));
   }
   if (random.one_in(2)) builder.add_end_site({1, 2, 3});
