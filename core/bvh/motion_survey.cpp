@@ -132,7 +132,7 @@ std::vector<ColumnStyle> learn_columns(const std::vector<SampledRow>& rows, int 
   const SampledRow& last = rows.back();
   for (int c = 1; c < channel_count; ++c) columns[idx(c)].gap = gap_between(last[idx(c) - 1], last[idx(c)]);
   for (std::size_t row = 1; row < rows.size(); ++row) {
-    const std::string_view gap = gap_between(rows[row - 1].back(), rows[row].front());
+    const std::string gap = gap_between(rows[row - 1].back(), rows[row].front());
     // Between sampled rows there may be others that have another length.
     if (gap_length(gap, look) == gap.size()) columns[0].gap = gap;
   }
