@@ -82,6 +82,7 @@ bool RowReader::settle_line_remainder(const char* p) {
     shared_line_end_ = line.data() + line.size();
     return false;
   }
+  repaired_ = true;
   report_row_length(p, channel_count_ + count);
   at_ = line.data() + line.size();
   return true;
@@ -147,6 +148,7 @@ RowReader::RowPlan RowReader::plan_stream_row(const char* p) {
 }
 
 void RowReader::read_values(const char* p, const RowPlan& plan) {
+  repaired_ = repaired_ || !plan.regular;
   double* row = store_.next_row();
   const std::int64_t first_index = frames() * channel_count_;
   const char* gap_begin = frames() == 0 ? p : at_;
@@ -197,6 +199,7 @@ const char* RowReader::read_value(const char* p, int channel, double& value, boo
 
 /// The value for a word that is none: that of the frame before.
 double RowReader::replace_value(const char* p, std::string_view word, int channel, DiagnosticCode code) {
+  repaired_ = true;
   if (!report_.count_repeat(code)) {
     report_.add(code, offset_of(p),
                 fmt::format("'{}' is not a usable number; the value of the frame before was taken (0 in the first frame).",
@@ -207,6 +210,7 @@ double RowReader::replace_value(const char* p, std::string_view word, int channe
 }
 
 void RowReader::drop_partial_row(const RowPlan& plan, const char* p) {
+  repaired_ = true;
   report_.add(DiagnosticCode::PartialFrame, offset_of(p),
               fmt::format("The last row has {} of {} values; it was dropped.", plan.value_count, channel_count_),
               fmt::format("{} values", channel_count_), fmt::format("{} values", plan.value_count));

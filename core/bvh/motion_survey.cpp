@@ -28,29 +28,29 @@ std::vector<std::string_view> sample_lines(std::string_view rows) {
   return lines;
 }
 
-/// The line to judge commas by: the first sampled one that has any. Where the sample has neither commas nor points, the
-/// first such line further on.
-std::string_view find_line_with_comma(std::string_view rows, const std::vector<std::string_view>& lines) {
-  for (const std::string_view line : lines) {
-    if (line.find_first_of(",;") != std::string_view::npos) return line;
-    if (line.find('.') != std::string_view::npos) return {};
-  }
-  const std::size_t comma = lines.empty() ? std::string_view::npos : rows.find(',');
+/// The line of the first comma, if it holds nothing but numbers.
+std::string_view find_line_with_comma(std::string_view rows) {
+  const std::size_t comma = rows.find_first_of(",;");
   if (comma == std::string_view::npos) return {};
   const std::size_t line_end = rows.substr(0, comma).find_last_of("\r\n");
-  return first_line(rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
+  const std::string_view line = first_line(rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
+  return line.find_first_not_of("0123456789+-.eE,; \t") == std::string_view::npos ? line : std::string_view();
 }
 
-/// Commas are decimal signs if the line has no point and then has the right number of values.
+/// Commas are decimal signs if there is no point and the numbers then are as many as the channels.
 NumberLook find_look(std::string_view rows, const std::vector<std::string_view>& lines, int channel_count) {
-  const std::string_view line = find_line_with_comma(rows, lines);
+  const std::string_view line = find_line_with_comma(rows);
   if (line.empty()) return {};
+  const auto has_point = [](std::string_view text) { return text.find('.') != std::string_view::npos; };
   const NumberLook decimal{',', false};
   const NumberLook separated{'.', true};
-  if (line.find('.') != std::string_view::npos) return separated;
-  const bool decimal_fits = count_values(line, decimal) == channel_count;
-  const bool separated_fits = count_values(line, separated) == channel_count;
-  return decimal_fits || !separated_fits ? decimal : separated;
+  const bool separated_fits = count_values(line, separated) % channel_count == 0;
+  if (!has_point(line) && std::none_of(lines.begin(), lines.end(), has_point)) {
+    const bool decimal_fits = count_values(line, decimal) % channel_count == 0;
+    return decimal_fits || !separated_fits ? decimal : separated;
+  }
+  const bool among_first = !lines.empty() && line.data() <= lines.back().data();
+  return separated_fits || among_first ? separated : NumberLook{};
 }
 
 /// The number of values that at least half of the lines have, `channel_count` in doubt; 0 if there is none.
@@ -66,31 +66,33 @@ int usual_value_count(const std::vector<std::string_view>& lines, int channel_co
   return 2 * most >= size_of(lines) ? best : 0;
 }
 
-std::int64_t count_filled_lines(std::string_view rows) {
-  std::int64_t count = 0;
-  bool filled = false;
-  for (const char c : rows) {
-    if (is_line_end(c)) {
-      count += filled ? 1 : 0;
-      filled = false;
-    } else if (!is_blank(c)) {
-      filled = true;
-    }
+struct RowCensus {
+  std::int64_t lines = 0;  ///< that hold values
+  std::int64_t values = 0;
+};
+
+RowCensus take_census(std::string_view rows, const NumberLook& look) {
+  RowCensus census;
+  while (!rows.empty()) {
+    const std::string_view line = first_line(rows);
+    const int values = count_values(line, look);
+    census.lines += values > 0 ? 1 : 0;
+    census.values += values;
+    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
   }
-  return count + (filled ? 1 : 0);
+  return census;
 }
 
-/// Judges a file whose usual line has `usual` values, not one per channel.
-RowLayout judge_odd_lines(std::string_view rows, int usual, int channel_count, std::optional<std::int64_t> declared) {
-  if (usual == 0) return RowLayout::Stream;
-  const bool fits_in_multiples =
-      usual < channel_count ? channel_count % usual == 0 : usual % channel_count == 0;
-  const std::int64_t lines = count_filled_lines(rows);
-  if (declared && lines == *declared) return RowLayout::CutLines;
-  const bool values_add_up = declared && lines * usual >= *declared * channel_count &&
-                             (lines - 1) * usual < *declared * channel_count + usual;
-  if (fits_in_multiples || values_add_up) return RowLayout::Stream;
-  return lines > 1 ? RowLayout::CutLines : RowLayout::Stream;
+/// Judges a file whose usual line has `usual` values (0: there is no usual line), not one per channel.
+RowLayout judge_odd_lines(std::string_view rows, const MotionSurvey& survey, int channel_count,
+                          std::optional<std::int64_t> declared) {
+  const int usual = survey.values_per_line;
+  const RowCensus census = take_census(rows, survey.look);
+  if (declared && census.values == *declared * channel_count) return RowLayout::Stream;
+  if (usual == 0 || census.lines <= 1) return RowLayout::Stream;
+  if (declared && census.lines == *declared) return RowLayout::CutLines;
+  const bool multiple = usual < channel_count ? channel_count % usual == 0 : usual % channel_count == 0;
+  return multiple ? RowLayout::Stream : RowLayout::CutLines;
 }
 
 /// Values of one row: views into the text, in the order of the channels.
@@ -156,7 +158,7 @@ MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional
   survey.look = find_look(rows, lines, channel_count);
   survey.values_per_line = usual_value_count(lines, channel_count, survey.look);
   if (survey.values_per_line != channel_count && !lines.empty()) {
-    survey.layout = judge_odd_lines(rows, survey.values_per_line, channel_count, declared_frames);
+    survey.layout = judge_odd_lines(rows, survey, channel_count, declared_frames);
   }
   const bool cut = survey.layout == RowLayout::CutLines;
   const int sampled_values = cut ? survey.values_per_line : channel_count;

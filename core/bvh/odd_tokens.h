@@ -28,12 +28,16 @@ class OddTokens {
     text_.resize(mark.text);
   }
 
+  /// True if a token had to be forgotten.
+  [[nodiscard]] bool overflowed() const { return overflowed_; }
+
   void move_into(MotionStyle& style);
 
  private:
   std::size_t most_bytes_;
   std::vector<OddToken> tokens_;
   std::string text_;
+  bool overflowed_ = false;
 };
 
 }  // namespace marey

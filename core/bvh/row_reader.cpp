@@ -147,7 +147,10 @@ MotionRows RowReader::take_result() {
   result.end = offset_of(at_);
   result.samples = store_.take_samples();
   result.style.columns = std::move(survey_.columns);
+  result.style.frame_count = result.frame_count;
+  const bool structure_is_lost = repaired_ || odd_tokens_.overflowed();
   odd_tokens_.move_into(result.style);
+  if (structure_is_lost) give_each_frame_a_line(result.style, std::string(input_.line_end));
   return result;
 }
 

@@ -78,6 +78,7 @@ class RowReader {
   const char* end_;
   const char* shared_line_end_ = nullptr;  ///< several frames stand in the line that ends here
   std::int64_t most_frames_;
+  bool repaired_ = false;  ///< the rows as written are not the rows as read
   std::vector<HotColumn> hot_columns_;
   SampleStore store_;
   OddTokens odd_tokens_;

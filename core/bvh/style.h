@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/number_text.h"
@@ -41,7 +42,8 @@ struct ColumnStyle {
   NumberFormat format;
 };
 
-/// A sample whose text is not what its column predicts. Used in writing only while the sample keeps its value.
+/// A sample whose text is not what its column predicts. Its gap is always written, its number while the sample keeps its
+/// value.
 struct OddToken {
   std::int64_t index = 0;          ///< frame * channel count + channel
   double value = 0.0;              ///< the sample that this text stands for
@@ -51,11 +53,19 @@ struct OddToken {
 
 /// How the rows are written.
 struct MotionStyle {
+  int frame_count = 0;               ///< of the file; with another one, every frame gets a line and no token is odd
   std::vector<ColumnStyle> columns;  ///< one per channel, or empty for the canonical form
   std::vector<OddToken> odd_tokens;  ///< by rising index; bounded, so a wildly mixed file loses its later ones
   std::string odd_text;
   std::string tail = "\n";  ///< everything behind the last sample
 };
+
+/// Gap and number of odd_tokens[i].
+[[nodiscard]] std::string_view odd_token_text(const MotionStyle& style, std::size_t i);
+
+/// Puts every frame into a line of its own: column gaps with line ends in the wrong place are exchanged, odd tokens with
+/// such gaps dropped.
+void give_each_frame_a_line(MotionStyle& style, const std::string& line_end);
 
 enum class TextEncoding : std::uint8_t { Bytes, Utf16LittleEndian, Utf16BigEndian };
 

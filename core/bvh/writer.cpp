@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <string_view>
 #include <vector>
 
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
 #include "core/bvh/header_writer.h"
+#include "core/bvh/reader.h"
 #include "core/bvh/text_encoding.h"
 
 namespace marey {
@@ -15,40 +17,40 @@ namespace {
 
 bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
+/// The style as it fits the motion.
+MotionStyle fitted_style(const Motion& motion, const BvhStyle& style) {
+  MotionStyle fitted = style.motion;
+  const bool same_columns = size_of(fitted.columns) == motion.channel_count();
+  if (!same_columns) fitted.columns.assign(idx(motion.channel_count()), ColumnStyle{});
+  if (same_columns && fitted.frame_count == motion.frame_count()) return fitted;
+  fitted.odd_tokens.clear();
+  fitted.odd_text.clear();
+  give_each_frame_a_line(fitted, style.header.line_end);
+  return fitted;
+}
+
 class RowWriter {
  public:
-  RowWriter(const Motion& motion, const BvhStyle& style, std::string& out);
+  RowWriter(const Motion& motion, const MotionStyle& style, std::string& out)
+      : motion_(motion), style_(style), out_(out) {}
 
   void write_all();
 
  private:
-  void write_row(const double* row);
-  void write_value(double value, int channel);
-  void write_gap(int channel);
+  void write_value(double value, const ColumnStyle& column);
+  void write_odd_token(double value, const ColumnStyle& column);
+  void write_gap(std::string_view gap);
 
   const Motion& motion_;
   const MotionStyle& style_;
   std::string& out_;
-  std::vector<ColumnStyle> columns_;
   std::int64_t index_ = 0;
   std::size_t next_odd_ = 0;
 };
 
-std::vector<ColumnStyle> columns_for(const Motion& motion, const BvhStyle& style) {
-  std::vector<ColumnStyle> columns = style.motion.columns;
-  if (size_of(columns) == motion.channel_count()) return columns;
-  columns.assign(idx(motion.channel_count()), ColumnStyle{});
-  if (!columns.empty()) columns.front().gap = style.header.line_end;
-  return columns;
-}
-
-RowWriter::RowWriter(const Motion& motion, const BvhStyle& style, std::string& out)
-    : motion_(motion), style_(style.motion), out_(out), columns_(columns_for(motion, style)) {}
-
 void RowWriter::write_all() {
   constexpr int kTileRows = 16;
   const int channels = motion_.channel_count();
-  if (channels == 0) return;
   std::vector<double> tile(idx(kTileRows) * idx(channels));
   for (FrameIndex first = 0; first < motion_.frame_count(); first += kTileRows) {
     const int rows = std::min(kTileRows, motion_.frame_count() - first);
@@ -56,39 +58,55 @@ void RowWriter::write_all() {
       const double* from = motion_.channel_samples(c).data() + first;
       for (int row = 0; row < rows; ++row) tile[idx(row) * idx(channels) + idx(c)] = from[row];
     }
-    for (int row = 0; row < rows; ++row) write_row(tile.data() + idx(row) * idx(channels));
-  }
-}
-
-void RowWriter::write_row(const double* row) {
-  for (int channel = 0; channel < motion_.channel_count(); ++channel) write_value(row[channel], channel);
-}
-
-void RowWriter::write_value(double value, int channel) {
-  while (next_odd_ < style_.odd_tokens.size() && style_.odd_tokens[next_odd_].index < index_) ++next_odd_;
-  if (next_odd_ < style_.odd_tokens.size() && style_.odd_tokens[next_odd_].index == index_) {
-    const OddToken& odd = style_.odd_tokens[next_odd_];
-    const bool last = next_odd_ + 1 == style_.odd_tokens.size();
-    const std::size_t end = last ? style_.odd_text.size() : style_.odd_tokens[next_odd_ + 1].begin;
-    if (same_bits(odd.value, value)) {
-      out_.append(style_.odd_text, odd.begin, end - odd.begin);
-      ++index_;
-      return;
+    for (int row = 0; row < rows; ++row) {
+      const double* values = tile.data() + idx(row) * idx(channels);
+      for (ChannelIndex c = 0; c < channels; ++c) write_value(values[c], style_.columns[idx(c)]);
     }
   }
-  write_gap(channel);
-  append_number(value, columns_[idx(channel)].format, out_);
+}
+
+void RowWriter::write_value(double value, const ColumnStyle& column) {
+  if (next_odd_ < style_.odd_tokens.size() && style_.odd_tokens[next_odd_].index == index_) {
+    write_odd_token(value, column);
+    ++next_odd_;
+  } else {
+    write_gap(column.gap);
+    append_number(value, column.format, out_);
+  }
   ++index_;
 }
 
+void RowWriter::write_odd_token(double value, const ColumnStyle& column) {
+  const OddToken& odd = style_.odd_tokens[next_odd_];
+  const std::string_view text = odd_token_text(style_, next_odd_);
+  if (same_bits(odd.value, value)) {
+    if (odd.index == 0) write_gap({});
+    out_ += text;
+    return;
+  }
+  // Numbers that run together stay apart only as long as the second one has its sign.
+  const std::string_view gap = text.substr(0, odd.number_begin - odd.begin);
+  write_gap(gap.empty() ? std::string_view(column.gap) : gap);
+  append_number(value, column.format, out_);
+}
+
 /// The header ends where the first number begins; but a header without rows may end anywhere.
-void RowWriter::write_gap(int channel) {
-  const std::string& gap = columns_[idx(channel)].gap;
+void RowWriter::write_gap(std::string_view gap) {
   if (index_ > 0) {
     out_ += gap;
   } else if (!out_.empty() && !is_blank(out_.back())) {
     out_ += '\n';
   }
+}
+
+/// Text behind the motion can be taken for rows when rows or header were repaired.
+bool reads_back_as(const Motion& motion, const std::string& text) {
+  ReadOptions options;
+  options.limits.max_frames = std::numeric_limits<int>::max();
+  options.limits.max_sample_bytes = std::numeric_limits<std::int64_t>::max();
+  const Result<BvhClip> again = read_bvh(text, options);
+  return again && std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
+                             again->motion.samples().end(), same_bits);
 }
 
 }  // namespace
@@ -98,8 +116,14 @@ std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhS
   std::string out;
   out.reserve(style.header_text.text.size() + motion.samples().size() * kUsualNumber + style.motion.tail.size() + 4096);
   append_header(skeleton, motion, style, out);
-  RowWriter(motion, style, out).write_all();
+  if (motion.channel_count() > 0) {
+    const MotionStyle rows = fitted_style(motion, style);
+    RowWriter(motion, rows, out).write_all();
+  }
+  const std::size_t end = out.size();
   out += style.motion.tail;
+  const bool only_blanks = style.motion.tail.find_first_not_of(" \t\r\n") == std::string::npos;
+  if (!only_blanks && !reads_back_as(motion, out)) out.replace(end, std::string::npos, style.header.line_end);
   return style.encoding == TextEncoding::Bytes ? out : encoded_as_utf16(out, style.encoding);
 }
 
