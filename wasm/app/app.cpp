@@ -95,11 +95,11 @@ Status App::open_file(std::string file_name, std::string_view bytes) {
   workspace.session.selection.select_only(0);
   workspace.messages.clear();
   if (workspace.previous) workspace.messages.add(kept_message(workspace.previous->document));
-  workspace.session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
   if (!is_sample_file(workspace.session.document.file_name())) {
     workspace.overlay = Overlay::None;
     workspace.preferences.welcome_seen = true;
   }
+  workspace.session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
   workspace.notify(opened_text(workspace.session));
   return {};
 }

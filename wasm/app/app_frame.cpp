@@ -62,13 +62,14 @@ void update_theme(AppParts& parts) {
 
 // The innermost thing that is open, chosen or said goes first.
 void follow_escape(AppParts& parts) {
-  const ImGuiContext& imgui = *ImGui::GetCurrentContext();
-  if (!ImGui::IsKeyPressed(ImGuiKey_Escape, false) || imgui.ActiveId != 0 || is_menu_open()) return;
+  if (!ImGui::IsKeyPressed(ImGuiKey_Escape, false) || is_menu_open()) return;
   Workspace& workspace = parts.workspace;
   Selection& selection = workspace.session.selection;
   if (workspace.overlay != Overlay::None) {
     workspace.overlay = Overlay::None;
     workspace.preferences.welcome_seen = true;
+  } else if (ImGui::GetCurrentContext()->ActiveId != 0) {
+    return;
   } else if (!workspace.messages.list().empty()) {
     workspace.messages.close(0);
   } else if (!selection.samples().empty()) {

@@ -100,14 +100,21 @@ NumberResult follow_drag(ViewContext& context, const Field& field) {
     state.number_dragged = 0.0;
     state.number_gesture = 0;
   }
-  if (state.number_id != field.item || !ImGui::IsItemActive()) return {};
-  if (ImGui::IsKeyPressed(ImGuiKey_Escape)) {
-    ImGui::ClearActiveID();
+  if (state.number_id != field.item) return {};
+  // ImGui's navigation takes the activity away on Escape before the field sees the key.
+  if (state.number_gesture != 0 && ImGui::IsKeyPressed(ImGuiKey_Escape)) {
+    if (ImGui::IsItemActive()) ImGui::ClearActiveID();
     state.number_id = 0;
-    return {state.number_gesture != 0 ? NumberEvent::Cancelled : NumberEvent::None, state.number_start, state.number_gesture};
+    return {NumberEvent::Cancelled, state.number_start, state.number_gesture};
   }
-  if (state.number_gesture == 0 && !ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f)) return {};
-  if (state.number_gesture == 0) state.number_gesture = state.new_gesture();
+  if (!ImGui::IsItemActive()) return {};
+  if (state.number_gesture == 0) {
+    if (!ImGui::IsMouseDragging(ImGuiMouseButton_Left, 3.0f)) return {};
+    state.number_gesture = state.new_gesture();
+    // What was moved below the threshold counts too.
+    const float before = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f).x - ImGui::GetIO().MouseDelta.x;
+    state.number_dragged = static_cast<double>(before) * step_factor();
+  }
   state.number_dragged += static_cast<double>(ImGui::GetIO().MouseDelta.x) * step_factor();
   const double moved = rounded_to(field.format, state.number_start + state.number_dragged * field.format.step);
   return {NumberEvent::Live, held_in(field.format, moved), state.number_gesture};
