@@ -37,35 +37,6 @@ std::string_view find_line_with_comma(std::string_view rows) {
   return line.find_first_not_of("0123456789+-.eE,; \t") == std::string_view::npos ? line : std::string_view();
 }
 
-/// Commas are decimal signs if there is no point and the numbers then are as many as the channels.
-NumberLook find_look(std::string_view rows, const std::vector<std::string_view>& lines, int channel_count) {
-  const std::string_view line = find_line_with_comma(rows);
-  if (line.empty()) return {};
-  const auto has_point = [](std::string_view text) { return text.find('.') != std::string_view::npos; };
-  const NumberLook decimal{',', false};
-  const NumberLook separated{'.', true};
-  const bool separated_fits = count_values(line, separated) % channel_count == 0;
-  if (!has_point(line) && std::none_of(lines.begin(), lines.end(), has_point)) {
-    const bool decimal_fits = count_values(line, decimal) % channel_count == 0;
-    return decimal_fits || !separated_fits ? decimal : separated;
-  }
-  const bool among_first = !lines.empty() && line.data() <= lines.back().data();
-  return separated_fits || among_first ? separated : NumberLook{};
-}
-
-/// The number of values that at least half of the lines have, `channel_count` in doubt; 0 if there is none.
-int usual_value_count(const std::vector<std::string_view>& lines, int channel_count, const NumberLook& look) {
-  std::map<int, int> lines_by_count;
-  for (const std::string_view line : lines) ++lines_by_count[count_values(line, look)];
-  int best = channel_count;
-  int most = lines_by_count[channel_count];
-  for (const auto& [count, frequency] : lines_by_count) {
-    if (frequency > most) best = count;
-    most = std::max(most, frequency);
-  }
-  return 2 * most >= size_of(lines) ? best : 0;
-}
-
 struct RowCensus {
   std::int64_t lines = 0;  ///< that hold values
   std::int64_t values = 0;
@@ -81,6 +52,42 @@ RowCensus take_census(std::string_view rows, const NumberLook& look) {
     rows.remove_prefix(std::min(rows.size(), line.size() + 1));
   }
   return census;
+}
+
+/// How well the rows fit the channels when their commas are understood in one way; `line` is one with commas.
+int fit_of(const NumberLook& look, std::string_view rows, std::string_view line, int channel_count,
+           std::optional<std::int64_t> declared) {
+  if (declared && take_census(rows, look).values == *declared * channel_count) return 2;
+  return count_values(line, look) % channel_count == 0 ? 1 : 0;
+}
+
+/// Decides what commas mean. They can be decimal signs only if no number has a point.
+NumberLook find_look(std::string_view rows, const std::vector<std::string_view>& lines, int channel_count,
+                     std::optional<std::int64_t> declared) {
+  const std::string_view line = find_line_with_comma(rows);
+  if (line.empty()) return {};
+  const auto has_point = [](std::string_view text) { return text.find('.') != std::string_view::npos; };
+  const NumberLook decimal{',', false};
+  const NumberLook separated{'.', true};
+  const int separated_fit = fit_of(separated, rows, line, channel_count, declared);
+  if (!has_point(line) && std::none_of(lines.begin(), lines.end(), has_point)) {
+    return fit_of(decimal, rows, line, channel_count, declared) >= separated_fit ? decimal : separated;
+  }
+  const bool among_first = !lines.empty() && line.data() <= lines.back().data();
+  return separated_fit > 0 || among_first ? separated : NumberLook{};
+}
+
+/// The number of values that at least half of the lines have, `channel_count` in doubt; 0 if there is none.
+int usual_value_count(const std::vector<std::string_view>& lines, int channel_count, const NumberLook& look) {
+  std::map<int, int> lines_by_count;
+  for (const std::string_view line : lines) ++lines_by_count[count_values(line, look)];
+  int best = channel_count;
+  int most = lines_by_count[channel_count];
+  for (const auto& [count, frequency] : lines_by_count) {
+    if (frequency > most) best = count;
+    most = std::max(most, frequency);
+  }
+  return 2 * most >= size_of(lines) ? best : 0;
 }
 
 /// Judges a file whose usual line has `usual` values (0: there is no usual line), not one per channel.
@@ -155,7 +162,7 @@ MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional
   survey.columns.resize(idx(channel_count));
   survey.columns.front().gap = line_end;
   const std::vector<std::string_view> lines = sample_lines(rows);
-  survey.look = find_look(rows, lines, channel_count);
+  survey.look = find_look(rows, lines, channel_count, declared_frames);
   survey.values_per_line = usual_value_count(lines, channel_count, survey.look);
   if (survey.values_per_line != channel_count && !lines.empty()) {
     survey.layout = judge_odd_lines(rows, survey, channel_count, declared_frames);

@@ -63,8 +63,8 @@ struct MotionStyle {
 /// Gap and number of odd_tokens[i].
 [[nodiscard]] std::string_view odd_token_text(const MotionStyle& style, std::size_t i);
 
-/// Puts every frame into a line of its own: column gaps with line ends in the wrong place are exchanged, odd tokens with
-/// such gaps dropped.
+/// Puts every frame into a line of its own, with decimal points and blanks between the numbers: for rows that no longer
+/// are as they were read. Column gaps that do not fit are exchanged, odd tokens that do not fit dropped.
 void give_each_frame_a_line(MotionStyle& style, const std::string& line_end);
 
 enum class TextEncoding : std::uint8_t { Bytes, Utf16LittleEndian, Utf16BigEndian };
