@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/app/support/widget_stage.h"
 
 namespace marey::app {
@@ -63,6 +65,28 @@ TEST(Toggle, TurnsOverOnClick) {
   EXPECT_TRUE(on);
   stage.click("toggle");
   EXPECT_FALSE(on);
+}
+
+TEST(Choice, OpensAListAndTakesWhatIsClicked) {
+  const std::vector<ui::ChoiceOption> options = {{"speed.half", "0.5×"}, {"speed.one", "1×"}, {"speed.two", "2×"}};
+  int chosen = 1;
+  int changes = 0;
+  WidgetStage stage([&](ViewContext& context) {
+    changes += ui::choice(context, "speed", "Speed", "How fast.", options, chosen, 80.0f) ? 1 : 0;
+  });
+  EXPECT_FALSE(is_shown(stage.items(), "speed.half"));
+  stage.click("speed");
+  stage.click("speed.two");
+  EXPECT_EQ(chosen, 2);
+  EXPECT_EQ(changes, 1);
+  EXPECT_FALSE(is_shown(stage.items(), "speed.half"));
+  stage.click("speed");
+  stage.click("speed.two");
+  EXPECT_EQ(changes, 1) << "the chosen one again is no change";
+  stage.click("speed");
+  stage.press(ImGuiKey_Escape);
+  EXPECT_FALSE(is_shown(stage.items(), "speed.half"));
+  EXPECT_EQ(chosen, 2);
 }
 
 TEST(ElidedText, NeverIsWiderThanAsked) {

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kSpeeds = {0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0, 8.0};
+constexpr std::array kSpeeds = {0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 4.0};
 
 constexpr double kSlowest = 0.01;
 constexpr double kFastest = 16.0;

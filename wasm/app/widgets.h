@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -50,6 +51,17 @@ NumberResult number_field(ViewContext& context, const std::string& id, std::stri
 
 /// Search field with a clear button; returns true when the text changed.
 bool search_field(ViewContext& context, const std::string& id, std::string_view hint, std::string& text);
+
+/// One entry of a choice; the id is that of its row in the open list.
+struct ChoiceOption {
+  std::string id;
+  std::string label;
+};
+
+/// One of several: shows the chosen option, opens the list on a click. `chosen` out of range shows nothing. Returns
+/// true when another one was chosen.
+bool choice(ViewContext& context, const std::string& id, std::string_view label, std::string_view tip,
+            std::span<const ChoiceOption> options, int& chosen, float width);
 
 bool toggle(ViewContext& context, const std::string& id, std::string_view label, std::string_view tool_tip, bool& on);
 

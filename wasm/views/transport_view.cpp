@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
+#include <vector>
 
 #include "wasm/app/widgets.h"
 
@@ -39,16 +41,14 @@ void TransportView::draw_buttons(ViewContext& context) {
 
 void TransportView::draw_speed(ViewContext& context) {
   Playback& playback = context.session.playback;
-  ImGui::SetNextItemWidth(72.0f);
-  if (ImGui::BeginCombo("##play.speed", speed_label(playback.speed()).c_str())) {
-    for (const double speed : kSpeeds) {
-      if (ImGui::Selectable(speed_label(speed).c_str(), speed == playback.speed())) playback.set_speed(speed);
-      context.items.add_last(fmt::format("play.speed.{:g}", speed), speed_label(speed));
-    }
-    ImGui::EndCombo();
-  }
-  context.items.add_last("play.speed", "Speed");
-  ui::tool_tip(context, "Speed", "How fast the clip plays. Below 1× poses are interpolated between frames.");
+  std::vector<double> speeds(kSpeeds.begin(), kSpeeds.end());
+  const auto present = std::lower_bound(speeds.begin(), speeds.end(), playback.speed());
+  auto chosen = static_cast<int>(present - speeds.begin());
+  if (present == speeds.end() || *present != playback.speed()) speeds.insert(present, playback.speed());
+  std::vector<ui::ChoiceOption> options;
+  for (const double speed : speeds) options.push_back({fmt::format("play.speed.{:g}", speed), speed_label(speed)});
+  const auto tip = "How fast the clip plays. Below 1× poses are interpolated between frames.";
+  if (ui::choice(context, "play.speed", "Speed", tip, options, chosen, 76.0f)) playback.set_speed(speeds[idx(chosen)]);
 }
 
 void TransportView::draw_position(ViewContext& context) {
