@@ -93,7 +93,7 @@ TEST(TrailNodes, AreTheSelectedJoints) {
 TEST(JointLabels, NeverOverlapAndStayInside) {
   std::vector<LabelWish> wishes;
   for (int i = 0; i < 200; ++i) {
-    wishes.push_back({{static_cast<float>(i * 37 % 400), static_cast<float>(i * 53 % 300)}, {20.0f + static_cast<float>(i % 50), 14.0f}});
+    wishes.push_back({{static_cast<float>(i * 37 % 400), static_cast<float>(i * 53 % 300)}, {20.0f + static_cast<float>(i % 50), 14.0f}, i % 2 == 0});
   }
   std::vector<LabelPlace> places;
   place_labels(wishes, {0, 0}, {400, 300}, 9.0f, places);
@@ -113,7 +113,7 @@ TEST(JointLabels, NeverOverlapAndStayInside) {
 }
 
 TEST(JointLabels, FirstComeFirstServed) {
-  const std::vector<LabelWish> wishes(6, {{200, 150}, {60, 14}});
+  const std::vector<LabelWish> wishes(6, {{200, 150}, {60, 14}, false});
   std::vector<LabelPlace> places;
   place_labels(wishes, {0, 0}, {400, 300}, 9.0f, places);
   ASSERT_EQ(places.size(), 4u) << "right, left, above, below";

@@ -11,6 +11,7 @@ namespace marey::app {
 namespace {
 
 constexpr float kOutlineWidth = 2.0f;
+constexpr float kProjectorOutlineWidth = 3.0f;
 
 void clear_figure(Scene& scene) {
   scene.bones.clear();
@@ -39,12 +40,13 @@ void ViewportView::build_scene(const ViewContext& context, Scene& scene) {
   clear_figure(scene);
   add_camera(state_.view, scene);
   add_stage(figure.stage(), state_.camera.pose(), figure.pose_box(), context.theme, context.options, scene);
-  scene.outline_width = kOutlineWidth;
+  scene.outline_width = context.options.projector ? kProjectorOutlineWidth : kOutlineWidth;
   strobe_.update(context.session, figure, context.options.show_strobe, context.options.strobe_every_frames,
                  context.theme, scene);
   if (figure.empty()) return;
   add_figure(figure.shape(), figure.pose(), context.session.selection, context.hover.joint, context.theme, scene);
-  trails_.add(context.session, figure, state_.view, context.options.show_trails, context.theme, scene);
+  add_tethers(figure.shape(), figure.pose(), context.theme, scene);
+  trails_.add(context.session, figure, state_.view, context.options, context.theme, scene);
   add_ground_line(figure.stage(), state_.view, scene);
 }
 

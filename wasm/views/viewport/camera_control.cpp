@@ -80,6 +80,7 @@ void open_view(ViewContext& context, ViewportState& state, double aspect) {
   state.camera.set_up(stage.up);
   state.camera.set_zoom_range(0.01 * stage.size, 20.0 * extent);
   state.camera.jump_to(opening_pose(context.session, state.figure, aspect, context.options.orthographic ? 0.0 : 1.0));
+  state.figure.light_from(state.camera.pose().yaw_rad);
   context.options.follow_root = stage.travels;
   state.followed.reset();
   state.request = {};
@@ -151,7 +152,8 @@ glm::dvec3 followed_point(const Session& session, const Stage& stage) {
   const Clip& clip = session.document.clip();
   if (clip.motion.frame_count() == 0) return glm::dvec3(0.0);
   const double position = session.playback.position();
-  const double reach = std::clamp(kFollowWindow_s / clip.motion.frame_time_s(), 1.0, double{kMostFollowFrames});
+  const double wanted = std::min(std::max(kFollowWindow_s / clip.motion.frame_time_s(), 1.0), double{kMostFollowFrames});
+  const double reach = std::min(wanted, clip.motion.frame_count() - 1.0);
   const int first = std::max(static_cast<int>(std::ceil(position - reach)), 0);
   const int last = std::min(static_cast<int>(std::floor(position + reach)), clip.motion.frame_count() - 1);
   std::array<float, 3 * (2 * kMostFollowFrames + 1)> path;

@@ -36,7 +36,9 @@ void FigureCache::rebuild(const Clip& clip) {
   settings_ = clip.settings;
   compute_clip_pose(clip, 0.0, local_, pose_);
   shape_ = make_figure_shape(clip, pose_);
+  const double light_yaw_rad = stage_.light_yaw_rad;
   stage_ = measure_stage(clip, shape_);
+  stage_.light_yaw_rad = light_yaw_rad;
   ++figure_serial_;
 }
 

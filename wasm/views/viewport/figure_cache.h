@@ -26,6 +26,8 @@ class FigureCache {
 
   /// Measures the extent of the motion anew: edits do not move the stage by themselves.
   void measure_bounds(const Clip& clip);
+  /// Lights the stage for a camera with this yaw; the light stays there while the camera moves on.
+  void light_from(double yaw_rad) { stage_.light_yaw_rad = yaw_rad; }
 
  private:
   void rebuild(const Clip& clip);

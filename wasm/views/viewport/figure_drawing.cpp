@@ -57,6 +57,8 @@ Palette make_palette(const Theme& theme) {
 constexpr float kHoverLight = 0.4f;
 constexpr float kBallShade = 0.78f;
 constexpr float kGhostShare = 0.35f;
+constexpr float kTetherWidth = 1.0f;
+constexpr float kTetherAlpha = 0.6f;
 
 }  // namespace
 
@@ -89,6 +91,17 @@ void add_figure(const FigureShape& shape, const WorldPose& pose, const Selection
     const auto radius = static_cast<float>(ball.radius * (selected ? 1.2 : 1.0));
     scene.balls.push_back({glm::vec3(center), radius, color});
     if (selected) scene.outlined_balls.push_back({glm::vec3(center), radius, palette.selection});
+  }
+}
+
+void add_tethers(const FigureShape& shape, const WorldPose& pose, const Theme& theme, Scene& scene) {
+  for (const FigureBone& tether : shape.tethers) {
+    const glm::dvec3& from = pose.world_positions[idx(tether.from)];
+    const glm::dvec3& to = pose.world_positions[idx(tether.to)];
+    if (!is_finite(from) || !is_finite(to)) continue;
+    scene.lines.push_back({size_of(scene.line_points), 2, kTetherWidth});
+    scene.line_points.push_back({glm::vec3(from), scene_color(theme.ghost, kTetherAlpha)});
+    scene.line_points.push_back({glm::vec3(to), scene_color(theme.ghost, kTetherAlpha)});
   }
 }
 

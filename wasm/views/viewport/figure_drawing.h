@@ -18,6 +18,9 @@ namespace marey::app {
 void add_figure(const FigureShape& shape, const WorldPose& pose, const Selection& selection, JointIndex hovered,
                 const Theme& theme, Scene& scene);
 
+/// Adds the ways from a root that only marks the origin as faint lines.
+void add_tethers(const FigureShape& shape, const WorldPose& pose, const Theme& theme, Scene& scene);
+
 /// Adds a strobe pose of strength `alpha` in 0..1 to the faded solids.
 void add_faded_figure(const FigureShape& shape, const WorldPose& pose, const Theme& theme, float alpha, Scene& scene);
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace marey::app {
 namespace {
@@ -120,11 +121,12 @@ void add_bones(const Skeleton& skeleton, const WorldPose& reference, FigureShape
     const Node& to = skeleton.node(node);
     FigureBone bone{.from = to.parent, .to = node, .joint = skeleton.node(to.parent).joint};
     bone.radius = shape.size * bone_radius(length / shape.size, reaches[idx(node)] / shape.size);
-    bone.side = shape.sides[idx(to.joint)];
+    bone.side = shape.sides[idx(bone.joint)];
     const glm::dvec3 along = reference.world_positions[idx(node)] - reference.world_positions[idx(to.parent)];
     bone.local_side = across(glm::inverse(reference.world_rotations[idx(bone.joint)]) * along);
     (is_tether(skeleton, to, length) ? shape.tethers : shape.bones).push_back(bone);
   }
+  if (shape.bones.empty()) std::swap(shape.bones, shape.tethers);
 }
 
 void add_balls(const Skeleton& skeleton, const WorldPose& reference, FigureShape& shape) {

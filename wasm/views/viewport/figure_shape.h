@@ -15,7 +15,7 @@ struct FigureBone {
   NodeIndex to = 0;
   JointIndex joint = 0;
   double radius = 0.0;                   ///< file units
-  BodySide side = BodySide::Middle;      ///< of the end that it leads to
+  BodySide side = BodySide::Middle;      ///< of the joint
   glm::dvec3 local_side{1.0, 0.0, 0.0};  ///< unit, in the joint's axes, across the bone: shows how the bone rolls
 };
 

@@ -53,9 +53,11 @@ void place_labels(std::span<const LabelWish> wishes, ImVec2 low, ImVec2 high, fl
                   std::vector<LabelPlace>& places) {
   places.clear();
   for (int i = 0; i < size_of(wishes); ++i) {
-    const auto& [anchor, size] = wishes[idx(i)];
-    const ImVec2 offers[] = {{anchor.x + gap, anchor.y - 0.5f * size.y},
-                             {anchor.x - gap - size.x, anchor.y - 0.5f * size.y},
+    const auto& [anchor, size, left_first] = wishes[idx(i)];
+    const float right = anchor.x + gap;
+    const float left = anchor.x - gap - size.x;
+    const ImVec2 offers[] = {{left_first ? left : right, anchor.y - 0.5f * size.y},
+                             {left_first ? right : left, anchor.y - 0.5f * size.y},
                              {anchor.x - 0.5f * size.x, anchor.y - gap - size.y},
                              {anchor.x - 0.5f * size.x, anchor.y + gap}};
     const auto* free_place = std::find_if(std::begin(offers), std::end(offers), [&, size = size](ImVec2 offer) {
@@ -92,13 +94,15 @@ void JointLabels::draw_names(ViewContext& context, const ViewportState& state) {
   const Selection& selection = context.session.selection;
   wishes_.clear();
   wishing_.clear();
+  // Away from the body, so that the figure stays in sight.
+  const auto middle = state.view.project(state.figure.pose_box().center());
   for (const bool selected : {true, false}) {
     for (int i = 0; i < size_of(names_); ++i) {
       const Name& name = names_[idx(i)];
       if (selection.contains(name.joint) != selected) continue;
       const auto place = state.view.project(state.figure.pose().world_positions[idx(skeleton.node_of(name.joint))]);
       if (!place) continue;
-      wishes_.push_back({state.to_screen(*place), name.size});
+      wishes_.push_back({state.to_screen(*place), name.size, middle && place->x < middle->x});
       wishing_.push_back(i);
     }
   }

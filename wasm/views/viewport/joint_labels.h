@@ -11,10 +11,11 @@
 
 namespace marey::app {
 
-/// A label that would like to stand beside `anchor`.
+/// A label that would like to stand beside `anchor`, on the right of it or first on the left.
 struct LabelWish {
   ImVec2 anchor;
   ImVec2 size;
+  bool left_first = false;
 };
 
 /// Where a label stands; `wish` is its index.
@@ -23,8 +24,8 @@ struct LabelPlace {
   ImVec2 min;
 };
 
-/// Places labels one after the other, each right, left, above or below its anchor where it overlaps none placed before
-/// and lies within [low, high]; those without room are left out. `gap`: from the anchor.
+/// Places labels one after the other, each beside, above or below its anchor where it overlaps none placed before and
+/// lies within [low, high]; those without room are left out. `gap`: from the anchor.
 void place_labels(std::span<const LabelWish> wishes, ImVec2 low, ImVec2 high, float gap,
                   std::vector<LabelPlace>& places);
 

@@ -18,10 +18,10 @@ constexpr float kLineHeight = 16.0f;
 constexpr std::string_view kButtons[] = {"view.frame_all", "view.follow_root", "view.orthographic",
                                          "view.strobe",    "view.trails",      "view.names"};
 
-// Metres where they are at least one, else centimetres or millimetres.
+// In metres as far down as a decimetre, else in centimetres or millimetres.
 std::string metric(double metres) {
-  if (metres >= 1.0) return fmt::format("{:.3g} m", metres);
-  if (metres >= 0.01) return fmt::format("{:.3g} cm", metres * 100.0);
+  if (metres >= 0.1) return fmt::format("{:.3g} m", metres);
+  if (metres >= 0.001) return fmt::format("{:.3g} cm", metres * 100.0);
   return fmt::format("{:.3g} mm", metres * 1000.0);
 }
 
@@ -30,14 +30,13 @@ ImVec2 bottom_right(const ViewportState& state) {
           state.corner.y + static_cast<float>(state.view.size().y)};
 }
 
-// Text over the scene, with a soft edge in the ground's colour that keeps lines of the grid from cutting it.
+// Text over the scene, on a veil that keeps the lines of the grid from cutting it.
 void draw_text(const ViewContext& context, ImVec2 place, ImU32 color, std::string_view text) {
+  if (text.empty()) return;
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
-  const ImU32 edge = with_alpha(context.theme.viewport_bottom, 0.55f);
-  constexpr ImVec2 kAround[] = {{-1.0f, 0.0f}, {1.0f, 0.0f}, {0.0f, -1.0f}, {0.0f, 1.0f}};
-  for (const ImVec2 step : kAround) {
-    draw_list.AddText({place.x + step.x, place.y + step.y}, edge, text.data(), text.data() + text.size());
-  }
+  const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
+  draw_list.AddRectFilled({place.x - 4.0f, place.y - 1.0f}, {place.x + size.x + 4.0f, place.y + size.y + 1.0f},
+                          with_alpha(context.theme.viewport_bottom, 0.6f), 3.0f);
   draw_list.AddText(place, color, text.data(), text.data() + text.size());
 }
 
@@ -87,6 +86,18 @@ void draw_buttons(ViewContext& context, const ViewportState& state, float top) {
   }
 }
 
+void draw_strobe_setting(ViewContext& context, ImVec2 place) {
+  int& every = context.options.strobe_every_frames;
+  const ui::NumberFormat format{.unit = "frames", .decimals = 0, .step = 0.2, .low = 1.0, .high = 1000.0, .width = 92.0f};
+  constexpr std::string_view kLabel = "Strobe every";
+  const float height = ImGui::GetFrameHeight();
+  const ImVec2 size = ImGui::CalcTextSize(kLabel.data(), kLabel.data() + kLabel.size());
+  draw_text(context, {place.x, std::round(place.y + 0.5f * (height - size.y))}, context.theme.dim_text, kLabel);
+  ImGui::SetCursorScreenPos({place.x + std::round(size.x) + 8.0f, place.y});
+  const auto result = ui::number_field(context, "viewport.strobe_every", "Strobe every", every, format);
+  if (result.event != ui::NumberEvent::None) every = std::max(static_cast<int>(std::lround(result.value)), 1);
+}
+
 }  // namespace
 
 ScaleBar make_scale_bar(double units_per_pixel, float widest, double metres_per_unit) {
@@ -114,6 +125,9 @@ void draw_overlay(ViewContext& context, ViewportState& state) {
   const float left = draw_scale_bar(context, state);
   draw_status(context, state, left);
   ImGui::PopFont();
+  if (context.options.show_strobe) {
+    draw_strobe_setting(context, {state.corner.x + kInset, state.corner.y + kInset + kLineHeight + 6.0f});
+  }
 }
 
 }  // namespace marey::app

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kTravelSizes = 2.6;  // extent of the clip in figures beyond which it wanders
 
+constexpr double kDeepSizes = 0.25;    // how far a body on the ground may reach below it, in figures
 constexpr double kEdgeOn = 0.03;       // sine of the angle between view and ground
 
 // Radius of the grid: around a figure at rest, and wide enough for the part of the ground in view.
@@ -26,8 +27,12 @@ glm::dvec3 on_ground(const Stage& stage, glm::dvec3 point) {
 
 SceneLight make_light(const Stage& stage, bool dark) {
   const ViewAxes front = front_axes(stage.up);
+  const double sine = std::sin(stage.light_yaw_rad);
+  const double cosine = std::cos(stage.light_yaw_rad);
+  const glm::dvec3 right = front.right * cosine - front.back * sine;
+  const glm::dvec3 back = front.back * cosine + front.right * sine;
   SceneLight light;
-  light.direction = glm::vec3(glm::normalize(-0.42 * front.right + 0.86 * front.up + 0.38 * front.back));
+  light.direction = glm::vec3(glm::normalize(-0.42 * right + 0.86 * front.up + 0.38 * back));
   light.key = dark ? glm::vec3(0.78f, 0.75f, 0.70f) : glm::vec3(0.80f, 0.77f, 0.72f);
   light.sky = dark ? glm::vec3(0.42f, 0.45f, 0.50f) : glm::vec3(0.52f, 0.55f, 0.60f);
   light.bounce = dark ? glm::vec3(0.16f, 0.17f, 0.19f) : glm::vec3(0.26f, 0.25f, 0.25f);
@@ -51,6 +56,11 @@ Stage measure_stage(const Clip& clip, const FigureShape& shape) {
   stage.cell = rounded_down_125(0.18 * shape.size);
   stage.bounds = compute_clip_bounds(clip.skeleton, clip.motion, rule);
   stage.ground_height = find_ground_height(clip.skeleton, clip.motion, rule, stage.up);
+  // What swings deep below the ground hangs in the air: the floor goes below it.
+  const double lowest = stage.bounds.low[static_cast<int>(stage.up)];
+  if (stage.ground_height - lowest > kDeepSizes * stage.size) {
+    stage.ground_height = std::floor(lowest / stage.cell - 0.5) * stage.cell;
+  }
   const glm::dvec3 extent = stage.bounds.size();
   stage.travels = std::max({extent.x, extent.y, extent.z}) > kTravelSizes * stage.size;
   return stage;

@@ -19,6 +19,7 @@ struct Stage {
   double size = 1.0;           ///< of the figure
   /// The figure wanders further than a view can show it well; the camera had better follow.
   bool travels = false;
+  double light_yaw_rad = 0.0;  ///< the key light comes from the left of a camera with this yaw
 };
 
 [[nodiscard]] Stage measure_stage(const Clip& clip, const FigureShape& shape);

@@ -7,7 +7,7 @@
 namespace marey::app {
 namespace {
 
-constexpr float kFirstAlpha = 0.16f;
+constexpr float kFirstAlpha = 0.20f;
 constexpr float kLastAlpha = 0.42f;
 
 }  // namespace

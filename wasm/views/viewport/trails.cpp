@@ -16,6 +16,7 @@ constexpr double kWhole_s = 8.0;    // ranges up to this long are shown whole
 constexpr double kWindow_s = 3.0;   // each way
 constexpr int kStretch = 512;       // paths are computed in multiples of this many frames
 constexpr float kWidth = 2.0f;
+constexpr float kProjectorWidth = 3.0f;
 constexpr float kTickWidth = 1.5f;
 constexpr double kTickReach = 3.5;     // ImGui units to each side
 constexpr double kTickDistance = 26.0;  // least, on average
@@ -143,10 +144,10 @@ void Trails::add_ticks(const Trail& trail, FrameRange shown, double position, co
   }
 }
 
-void Trails::add(const Session& session, const FigureCache& figure, const CameraView& camera, bool visible,
-                 const Theme& theme, Scene& scene) {
+void Trails::add(const Session& session, const FigureCache& figure, const CameraView& camera,
+                 const ViewOptions& options, const Theme& theme, Scene& scene) {
   const Motion& motion = session.document.motion();
-  if (!visible || motion.frame_count() < 2) return;
+  if (!options.show_trails || motion.frame_count() < 2) return;
   const Playback& playback = session.playback;
   const FrameRange shown = find_trail_frames(playback.range(), motion.frame_time_s(), playback.frame());
   compute_paths(session, figure, shown);
@@ -155,6 +156,7 @@ void Trails::add(const Session& session, const FigureCache& figure, const Camera
     const JointIndex joint = session.document.skeleton().node(trail.node).joint;
     const glm::vec4 color = scene_color(side_colors[static_cast<int>(figure.shape().sides[idx(joint)])]);
     add_line(trail, shown, playback.position(), color, scene);
+    if (options.projector) scene.lines.back().width = kProjectorWidth;
     add_ticks(trail, shown, playback.position(), camera, color, scene);
   }
 }

@@ -6,6 +6,7 @@
 #include "core/document/session.h"
 #include "wasm/app/camera.h"
 #include "wasm/app/theme.h"
+#include "wasm/app/view_options.h"
 #include "wasm/render/scene.h"
 #include "wasm/views/viewport/figure_cache.h"
 
@@ -22,8 +23,8 @@ namespace marey::app {
 /// few frames. Paths are computed per revision, for a stretch of the clip around what is shown.
 class Trails {
  public:
-  /// Adds the lines to the scene; none when not `visible`.
-  void add(const Session& session, const FigureCache& figure, const CameraView& camera, bool visible,
+  /// Adds the lines to the scene; none when they are switched off.
+  void add(const Session& session, const FigureCache& figure, const CameraView& camera, const ViewOptions& options,
            const Theme& theme, Scene& scene);
 
  private:

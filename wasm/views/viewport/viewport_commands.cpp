@@ -108,7 +108,7 @@ void add_viewport_commands(CommandRegistry& registry, const Session& session, Vi
               CameraRequest::Framing::Selection);
   const char* helps[] = {"Looks at the front.",     "Looks at the back.",  "Looks along the X axis.",
                          "Looks along the X axis from the other side.", "Looks down.", "Looks up."};
-  const char* shortcuts[] = {"1", "Ctrl+Shift+1", "3", "Ctrl+Shift+3", "7", "Ctrl+Shift+7"};
+  const char* shortcuts[] = {"1", "Shift+1", "3", "Shift+3", "7", "Shift+7"};
   for (std::size_t i = 0; i < kAxisViews.size(); ++i) {
     add_axis_view(registry, state, kAxisViews[i], helps[i], shortcuts[i]);
   }

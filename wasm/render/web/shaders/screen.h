@@ -27,24 +27,25 @@ void main() {
 }
 )";
 
-/// One direction of a Gaussian blur: narrow for red, wide for green. Each tap lies between two texels.
+/// One direction of a Gaussian blur: narrow for red, wide for green. Each tap but the middle one reads two texels.
 inline constexpr char kBlurFragment[] = R"(
 uniform sampler2D u_map;
 uniform vec2 u_step;  // one texel along the direction, in texture coordinates
 in vec2 v_uv;
 out vec4 o_color;
 
-const int kTaps = 9;
-const vec2 kSigma = vec2(1.7, 5.0);  // texels
+const int kTaps = 7;
+const vec2 kSigma = vec2(1.8, 5.0);  // texels
 
 void main() {
-  vec2 sum = vec2(0.0);
-  vec2 weights = vec2(0.0);
-  for (int tap = -kTaps; tap < kTaps; ++tap) {
-    float distance = float(tap) * 2.0 + 1.0;
-    vec2 weight = exp(-0.5 * distance * distance / (kSigma * kSigma));
-    sum += weight * texture(u_map, v_uv + u_step * distance).rg;
-    weights += weight;
+  vec2 sum = texture(u_map, v_uv).rg;
+  vec2 weights = vec2(1.0);
+  for (int tap = 0; tap < kTaps; ++tap) {
+    float distance = float(tap) * 2.0 + 1.5;
+    vec2 weight = 2.0 * exp(-0.5 * distance * distance / (kSigma * kSigma));
+    vec2 offset = u_step * distance;
+    sum += weight * (texture(u_map, v_uv + offset).rg + texture(u_map, v_uv - offset).rg);
+    weights += 2.0 * weight;
   }
   o_color = vec4(sum / weights, 0.0, 1.0);
 }
