@@ -3,6 +3,7 @@ import { spawnSync } from "node:child_process";
 import { inRoot } from "./lib/shell.mjs";
 
 const steps = [
+  "wait:2000",
   "key:Escape",
   'select.joint={"joint":2}',
   'curve.select={"channel":9,"first":4,"count":8}',
