@@ -66,19 +66,19 @@ void add_panel(CommandRegistry& registry, Workspace& workspace, Command command,
 
 void add_panels(CommandRegistry& registry, Workspace& workspace) {
   add_panel(registry, workspace, {.id = "view.outliner", .label = "Joints", .help = "Shows the tree of joints.",
-                                  .shortcut = "Shift+1", .icon = icons::kListTree},
+                                  .shortcut = "Shift+J", .icon = icons::kListTree},
             &ViewOptions::show_outliner, Sheet::Joints);
   add_panel(registry, workspace, {.id = "view.inspector", .label = "Inspector",
                                   .help = "Shows the numbers of the selected joint and of the clip.",
-                                  .shortcut = "Shift+2", .icon = icons::kSlidersHorizontal},
+                                  .shortcut = "Shift+I", .icon = icons::kSlidersHorizontal},
             &ViewOptions::show_inspector, Sheet::Inspector);
   add_panel(registry, workspace, {.id = "view.curves", .label = "Curves", .help = "Shows the curve editor.",
-                                  .shortcut = "Shift+3", .icon = icons::kChartSpline},
+                                  .shortcut = "Shift+C", .icon = icons::kChartSpline},
             &ViewOptions::show_curves, Sheet::Curves);
   registry.add({.id = "view.problems",
                 .label = "Problems",
                 .help = "Shows what was noticed while the file was read.",
-                .shortcut = "Shift+4",
+                .shortcut = "Shift+P",
                 .icon = icons::kTriangleAlert,
                 .run = [&workspace](const json&) -> json {
                   workspace.problems_wanted = true;

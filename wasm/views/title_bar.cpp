@@ -94,7 +94,10 @@ void TitleBar::draw_menu_button(ViewContext& context, int menu) {
   const bool pointed = ImGui::IsItemHovered() || (open_menu_ >= 0 && ImGui::IsMouseHoveringRect(min, max));
   const bool is_open = open_menu_ == menu;
   const std::string popup = "##popup." + title;
-  if (pressed || (open_menu_ >= 0 && pointed && !is_open)) {
+  // A pointer at rest does not take back what the arrow keys chose.
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  const bool entered = pointed && (moved.x != 0.0f || moved.y != 0.0f);
+  if (pressed || (open_menu_ >= 0 && entered && !is_open)) {
     open_menu_ = menu;
     ImGui::OpenPopup(popup.c_str());
   }

@@ -152,11 +152,14 @@ glm::dvec3 followed_point(const Session& session, const Stage& stage) {
   const Clip& clip = session.document.clip();
   if (clip.motion.frame_count() == 0) return glm::dvec3(0.0);
   const double position = session.playback.position();
-  const double wanted = std::min(std::max(kFollowWindow_s / clip.motion.frame_time_s(), 1.0), double{kMostFollowFrames});
-  const double reach = std::min(wanted, clip.motion.frame_count() - 1.0);
-  const int first = std::max(static_cast<int>(std::ceil(position - reach)), 0);
-  const int last = std::min(static_cast<int>(std::floor(position + reach)), clip.motion.frame_count() - 1);
-  std::array<float, 3 * (2 * kMostFollowFrames + 1)> path;
+  // Triangular weights of a whole number of frames keep an even motion even, also between frames.
+  const double wanted = std::clamp(std::round(kFollowWindow_s / clip.motion.frame_time_s()), 1.0, double{kMostFollowFrames});
+  const int reach = std::min(static_cast<int>(wanted), clip.motion.frame_count() - 1);
+  const int earliest = static_cast<int>(std::floor(position)) - reach;
+  const int latest = static_cast<int>(std::ceil(position)) + reach;
+  const int first = std::max(earliest, 0);
+  const int last = std::min(latest, clip.motion.frame_count() - 1);
+  std::array<float, 3 * (2 * kMostFollowFrames + 2)> path;
   const std::span<float> used = std::span(path).first(3 * idx(last - first + 1));
   compute_node_path(clip.skeleton, clip.motion, {first, last - first + 1}, clip.settings.position_rule, 0, used);
   const auto root_at = [&](int frame) {
@@ -165,8 +168,8 @@ glm::dvec3 followed_point(const Session& session, const Stage& stage) {
   };
   glm::dvec3 sum(0.0);
   double weights = 0.0;
-  for (int frame = static_cast<int>(std::ceil(position - reach)); frame <= position + reach; ++frame) {
-    const double weight = 1.0 - std::abs(frame - position) / (reach + 1.0);
+  for (int frame = earliest; frame <= latest; ++frame) {
+    const double weight = 1.0 - std::abs(frame - position) / (reach + 1);
     // Beyond the ends the motion is mirrored, so that a walk goes on at its speed.
     const int inside = std::clamp(frame, 0, clip.motion.frame_count() - 1);
     sum += weight * (frame == inside ? root_at(frame) : 2.0 * root_at(inside) - root_at(2 * inside - frame));
