@@ -5,6 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import * as diagnostics from "./diagnostics.mjs";
 import * as foreignNames from "./foreign_names.mjs";
 import * as layering from "./layering.mjs";
 import * as pureCore from "./pure_core.mjs";
@@ -22,7 +23,7 @@ function readRepository() {
 }
 
 const files = readRepository();
-for (const gate of [layering, webImports, pureCore, sizes, readmeCommands, foreignNames]) {
+for (const gate of [layering, webImports, pureCore, sizes, readmeCommands, diagnostics, foreignNames]) {
   test(gate.name, (t) => {
     const { checked, problems } = gate.check(files);
     t.diagnostic(`${gate.name}: ${checked} ${gate.unit} checked`);
