@@ -48,14 +48,14 @@ if(EXISTS "${MAREY_IMGUI_DIR}/imgui.cpp")
   file(GLOB imgui_sources "${MAREY_IMGUI_DIR}/imgui*.cpp" "${MAREY_IMGUI_DIR}/misc/cpp/*.cpp")
   add_library(imgui STATIC EXCLUDE_FROM_ALL ${imgui_sources})
   target_include_directories(imgui SYSTEM PUBLIC "${MAREY_IMGUI_DIR}")
+  # WebGL 2 has no base vertex, and a window full of curves can have more than 65536 vertices.
   target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
-    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS)
+    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS "ImDrawIdx=unsigned int")
   if(EMSCRIPTEN)
     set(renderer "${MAREY_IMGUI_DIR}/backends/imgui_impl_opengl3.cpp")
     target_sources(imgui PRIVATE "${renderer}")
     # See wasm/platform/web/known_gl_state.cpp.
     set_source_files_properties("${renderer}" PROPERTIES COMPILE_DEFINITIONS glGetIntegerv=marey_get_known_gl_state)
-    # WebGL 2 has no base vertex, and a window full of curves can have more than 65536 vertices.
-    target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3 "ImDrawIdx=unsigned int")
+    target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
   endif()
 endif()

@@ -34,6 +34,10 @@ mergeInto(LibraryManager.library, {
     Module["host"].announce(mareyText(text, textSize));
   },
 
+  marey_host_draw_after: function (milliseconds) {
+    Module["host"].drawAfter(milliseconds);
+  },
+
   marey_host_store_preferences__deps: ["$mareyText"],
   marey_host_store_preferences: function (json, jsonSize) {
     Module["host"].storePreferences(mareyText(json, jsonSize));
@@ -46,8 +50,8 @@ mergeInto(LibraryManager.library, {
   },
 
   marey_host_system_preferences: function () {
-    const { dark, reducedMotion, appleKeys } = Module["host"].systemPreferences();
-    return (dark ? 1 : 0) | (reducedMotion ? 2 : 0) | (appleKeys ? 4 : 0);
+    const { dark, reducedMotion, appleKeys, coarsePointer } = Module["host"].systemPreferences();
+    return (dark ? 1 : 0) | (reducedMotion ? 2 : 0) | (appleKeys ? 4 : 0) | (coarsePointer ? 8 : 0);
   },
 
   marey_host_set_mouse_cursor__deps: ["$mareyText"],

@@ -122,6 +122,41 @@ TEST(Preferences, AreStoredOnceAtRestAndReadOnTheNextVisit) {
   EXPECT_EQ(stage.log().preference_writes, writes);
 }
 
+TEST(Notice, GoesByItselfOnAPageAtRest) {
+  AppStage stage;
+  stage.open_sample("pendulum");
+  const std::string shown = stage.state()["status"];
+  EXPECT_NE(shown.find("Opened pendulum.bvh"), std::string::npos);
+  ASSERT_GT(stage.log().draw_after_s, 0.0);
+  stage.wait(stage.log().draw_after_s);
+  stage.frame();
+  EXPECT_EQ(stage.state()["status"], "");
+}
+
+TEST(Preferences, AreStoredWhileAClipPlays) {
+  AppStage stage({}, "{}");
+  stage.open_sample("walk");
+  stage.press(ImGuiKey_Escape);
+  ASSERT_EQ(stage.state()["playing"], true);
+  EXPECT_NE(stage.log().preferences.find(R"("welcomeSeen":true)"), std::string::npos) << stage.log().preferences;
+}
+
+TEST(Touch, MakesControlsLargerOnceTheFingerIsLifted) {
+  AppStage stage;
+  stage.open_sample("pendulum");
+  const float before = stage.item("play.toggle").min.y;
+  const ImVec2 place = center_of(stage.app().items(), "play.toggle");
+  ImGui::GetIO().AddMouseSourceEvent(ImGuiMouseSource_TouchScreen);
+  ImGuiStage::move_mouse(place);
+  ImGuiStage::press_mouse(true);
+  for (int i = 0; i < 4; ++i) stage.frame();
+  EXPECT_EQ(stage.item("play.toggle").min.y, before) << "it moves away under the finger";
+  ImGuiStage::press_mouse(false);
+  for (int i = 0; i < 4; ++i) stage.frame();
+  EXPECT_EQ(stage.state()["playing"], true);
+  EXPECT_LT(stage.item("play.toggle").min.y, before);
+}
+
 TEST(Preferences, OfALastVisitAreUsed) {
   AppStage stage({}, R"({"welcomeSeen":true,"theme":"light","interfaceScale":1.5})");
   EXPECT_EQ(stage.state()["theme"], "light");

@@ -22,11 +22,12 @@ test("an idle page draws nothing", async ({ marey, page }) => {
   await countFrames(page);
   await marey.goto("?sample=giant-swing");
   const asked = () => page.evaluate(() => window.askedFrames);
+  await marey.expectState(({ status }) => status, "");
   await expect.poll(async () => {
     const before = await asked();
-    await page.waitForTimeout(500);
+    await page.waitForTimeout(1500);
     return (await asked()) - before;
-  }, { timeout: 15_000 }).toBe(0);
+  }, { timeout: 20_000 }).toBe(0);
   const before = await asked();
   await page.waitForTimeout(2000);
   expect((await asked()) - before).toBe(0);

@@ -73,7 +73,7 @@ App::App(Backend& backend, const FontFiles& fonts) {
   parts_ = std::make_unique<AppParts>(backend, fonts);
   Workspace& workspace = parts_->workspace;
   parts_->stored_preferences = backend.load_preferences();
-  workspace.preferences = read_preferences(parts_->stored_preferences);
+  workspace.preferences = parts_->known_preferences = read_preferences(parts_->stored_preferences);
   workspace.overlay = workspace.preferences.welcome_seen ? Overlay::None : Overlay::Welcome;
   add_all_commands(*parts_);
 }

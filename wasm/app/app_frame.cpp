@@ -40,7 +40,7 @@ void update_window(AppParts& parts, const WindowSize& window, double elapsed_s) 
   io.DisplayFramebufferScale = ImVec2(pixels_per_unit, pixels_per_unit);
   io.DeltaTime = static_cast<float>(std::clamp(elapsed_s, 1e-4, kLongestStep_s));
   options.compact = io.DisplaySize.x < kCompactWidth;
-  options.touch = parts.touched || options.compact;
+  options.touch = parts.touched.value_or(parts.workspace.system.coarse_pointer) || options.compact;
 }
 
 ThemeKind wanted_theme(const Workspace& workspace) {
@@ -79,9 +79,10 @@ void follow_escape(AppParts& parts) {
   }
 }
 
+// What is pressed must not move away: controls change their size when the finger is lifted.
 void follow_pointer_kind(AppParts& parts) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.MouseClicked[0]) parts.touched = io.MouseSource == ImGuiMouseSource_TouchScreen;
+  if (io.MouseReleased[0]) parts.touched = io.MouseSource == ImGuiMouseSource_TouchScreen;
 }
 
 void begin_views(AppParts& parts) {
@@ -89,7 +90,7 @@ void begin_views(AppParts& parts) {
   parts.items.begin_frame();
   parts.hover = parts.next_hover;
   parts.next_hover = {};
-  if (workspace.now_s > workspace.notice_until_s) workspace.notice.clear();
+  workspace.follow_notice();
   parts.status = workspace.notice;
 }
 
@@ -140,7 +141,10 @@ void report_to_page(AppParts& parts) {
   }
 }
 
+// Not while something is dragged: a panel's size changes with every frame.
 void store_preferences(AppParts& parts) {
+  if (parts.known_preferences == parts.workspace.preferences || ImGui::IsAnyMouseDown()) return;
+  parts.known_preferences = parts.workspace.preferences;
   std::string written = write_preferences(parts.workspace.preferences);
   if (written == parts.stored_preferences) return;
   parts.workspace.backend.store_preferences(written);
@@ -199,9 +203,8 @@ bool App::frame(const WindowSize& window, double now_s) {
   report_to_page(parts);
   ImGui::Render();
 
-  const bool more = wants_more_frames(parts, playing);
-  if (!more) store_preferences(parts);
-  return more;
+  store_preferences(parts);
+  return wants_more_frames(parts, playing);
 }
 
 }  // namespace marey::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "wasm/app/app.h"
@@ -34,10 +35,11 @@ struct AppParts {
   Shell shell;
   std::uint64_t shown_clip_serial = 0;  ///< the clip that the views have been told of
 
-  bool touched = false;  ///< the last press came from a finger
+  std::optional<bool> touched;  ///< the last press came from a finger; nothing before the first
   bool redraw = false;
   int settling_frames = 0;  ///< drawn after input without being asked, so that sizes and hovers come to rest
   double last_frame_s = -1.0;
+  Preferences known_preferences;  ///< as they were when last stored
   std::string stored_preferences;
   std::string mouse_cursor;
   std::string announced_name;

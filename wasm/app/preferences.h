@@ -17,6 +17,7 @@ struct PanelSizes {
   float outliner_width = 240.0f;
   float inspector_width = 300.0f;
   float curves_height = 284.0f;  ///< of ruler and curves together
+  bool operator==(const PanelSizes&) const = default;
 };
 
 /// What is kept between visits: nothing of the files that were opened.
@@ -26,6 +27,7 @@ struct Preferences {
   ViewOptions options;
   Sheet sheet = Sheet::Curves;
   bool welcome_seen = false;
+  bool operator==(const Preferences&) const = default;
 };
 
 inline constexpr float kLargestInterfaceScale = 2.5f;

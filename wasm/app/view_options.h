@@ -26,6 +26,7 @@ struct ViewOptions {
   bool projector = false;        ///< for a class: thicker curves, higher contrast, interface at 150 %
   bool touch = false;            ///< the last pointer was a finger, or the page is narrow: targets of 40 px
   bool compact = false;          ///< narrower than 700 units: one column; set by the layout
+  bool operator==(const ViewOptions&) const = default;
 };
 
 /// What the pointer is over, so that body, tree row and curve of the same joint light up together. Views write it while

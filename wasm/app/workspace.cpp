@@ -22,7 +22,16 @@ void Workspace::go_back() {
 void Workspace::notify(std::string text) {
   backend.announce(text);
   notice = std::move(text);
-  notice_until_s = now_s + kNoticeDuration_s;
+  notice_until_s.reset();
+}
+
+void Workspace::follow_notice() {
+  if (notice.empty()) return;
+  if (!notice_until_s) {
+    notice_until_s = now_s + kNoticeDuration_s;
+    backend.draw_after(kNoticeDuration_s + 0.05);
+  }
+  if (now_s > *notice_until_s) notice.clear();
 }
 
 }  // namespace marey::app

@@ -34,11 +34,13 @@ struct Workspace {
   /// Exchanges `session` and `previous`. Precondition: there is a previous one.
   void go_back();
 
-  /// Says what just happened, to the eye and to assistive technology: until something else is said, at least for a
-  /// few seconds. An idle page is not woken to take it away.
+  /// Says what just happened, to the eye and to assistive technology, for a few seconds.
   void notify(std::string text);
+  /// Shows and ends the notice; in every frame.
+  void follow_notice();
+
   std::string notice;
-  double notice_until_s = 0.0;
+  std::optional<double> notice_until_s;  ///< nothing before the frame that first shows it
   double now_s = 0.0;
 
   [[nodiscard]] bool has_clip() const { return session.document.skeleton().joint_count() > 0; }

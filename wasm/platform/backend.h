@@ -10,6 +10,7 @@ struct SystemPreferences {
   bool dark = true;            ///< prefers-color-scheme
   bool reduced_motion = false;  ///< prefers-reduced-motion
   bool apple_keys = false;     ///< Cmd stands where others have Ctrl
+  bool coarse_pointer = false;  ///< pointer: coarse, a finger
 };
 
 /// Everything the program asks of the machine it runs on. One class, two implementations: platform/web (the browser)
@@ -27,6 +28,8 @@ class Backend {
   void set_document_state(std::string_view file_name, bool dirty);
   /// Text for assistive technology (aria-live).
   void announce(std::string_view text);
+  /// Asks for a frame later, for what ends by itself while nothing else happens.
+  void draw_after(double seconds);
   /// Keeps preferences (JSON text) between visits; silently none where the browser forbids it.
   void store_preferences(std::string_view json);
   [[nodiscard]] std::string load_preferences();

@@ -40,6 +40,7 @@ export class Application {
   async start({ wasm, fonts }: ProgramFiles): Promise<void> {
     const host = new PageHost({
       canvas: this.canvas,
+      wake: () => this.loop.request(),
       askForFile: () => this.files.ask(),
       loadSample: (id) => void this.loadSample(id),
       placeTextInput: (wanted, x, y, height) => this.textField.place(wanted, x, y, height),

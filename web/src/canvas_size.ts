@@ -30,10 +30,16 @@ export class CanvasSize {
   private update(entry?: ResizeObserverEntry): void {
     const ratio = devicePixelRatio || 1;
     const exact = entry?.devicePixelContentBoxSize?.[0];
-    const width = Math.max(exact?.inlineSize ?? Math.round(this.canvas.clientWidth * ratio), 1);
-    const height = Math.max(exact?.blockSize ?? Math.round(this.canvas.clientHeight * ratio), 1);
+    const width = devicePixels(this.canvas.clientWidth * ratio, exact?.inlineSize);
+    const height = devicePixels(this.canvas.clientHeight * ratio, exact?.blockSize);
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
     this.changed(width / ratio, height / ratio, ratio);
   }
+}
+
+/** What the browser says is exact, but some say CSS pixels where the ratio is emulated. */
+function devicePixels(estimated: number, exact: number | undefined): number {
+  const isPlausible = exact !== undefined && Math.abs(exact - estimated) < 2;
+  return Math.max(isPlausible ? exact : Math.round(estimated), 1);
 }

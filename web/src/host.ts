@@ -6,6 +6,7 @@ export interface Host {
   setClipboardText(text: string): void;
   setDocumentState(name: string, dirty: boolean): void;
   announce(text: string): void;
+  drawAfter(milliseconds: number): void;
   storePreferences(json: string): void;
   /** Empty when there are none. */
   loadPreferences(): string;
@@ -20,4 +21,5 @@ export interface SystemPreferences {
   dark: boolean;
   reducedMotion: boolean;
   appleKeys: boolean;
+  coarsePointer: boolean;
 }

@@ -6,6 +6,8 @@ import { applyTheme, loadPreferences, storePreferences } from "./preferences";
 /** What of the page the program reaches through its host. */
 export interface PageParts {
   canvas: HTMLCanvasElement;
+  /** Asks for a frame. */
+  wake(): void;
   askForFile(): void;
   loadSample(id: string): void;
   placeTextInput(wanted: boolean, x: number, y: number, height: number): void;
@@ -13,10 +15,11 @@ export interface PageParts {
 
 const dark = matchMedia("(prefers-color-scheme: dark)");
 const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+const coarsePointer = matchMedia("(pointer: coarse)");
 
 /** Calls back when the person changes a preference of their system. */
 export function watchSystemPreferences(changed: () => void): void {
-  for (const query of [dark, reducedMotion]) query.addEventListener("change", changed);
+  for (const query of [dark, reducedMotion, coarsePointer]) query.addEventListener("change", changed);
 }
 
 export class PageHost implements Host {
@@ -56,6 +59,10 @@ export class PageHost implements Host {
     this.status.textContent = text;
   }
 
+  drawAfter(milliseconds: number): void {
+    window.setTimeout(this.parts.wake, milliseconds);
+  }
+
   storePreferences(json: string): void {
     storePreferences(json);
     applyTheme(json);
@@ -69,6 +76,7 @@ export class PageHost implements Host {
     return {
       dark: dark.matches,
       reducedMotion: reducedMotion.matches,
+      coarsePointer: coarsePointer.matches,
       appleKeys: /Mac|iPhone|iPad/.test(navigator.platform),
     };
   }

@@ -14,7 +14,10 @@ function watch(page, ownHosts) {
   page.on("pageerror", (error) => problems.push(`uncaught: ${error.message}`));
   page.on("request", (request) => {
     const url = new URL(request.url());
-    if (!["data:", "blob:"].includes(url.protocol) && !ownHosts.includes(url.host)) problems.push(`request: ${request.url()}`);
+    const isOwn = ["data:", "blob:"].includes(url.protocol) || ownHosts.includes(url.host);
+    // The page as one file asks for itself.
+    const isPageFile = url.protocol === "file:" && request.isNavigationRequest();
+    if (!isOwn && !isPageFile) problems.push(`request: ${request.url()}`);
   });
   return problems;
 }

@@ -4,6 +4,8 @@ import { dirname } from "node:path";
 import puppeteer from "puppeteer-core";
 import { inRoot } from "../../../scripts/lib/shell.mjs";
 
+const keys = { Space: " " };
+
 export function findFirefox() {
   return [process.env.FIREFOX, "/usr/bin/firefox-esr", "/usr/bin/firefox"].find((path) => path && existsSync(path));
 }
@@ -27,7 +29,7 @@ export async function startFirefox(executablePath) {
     },
     async press(key, modifier) {
       if (modifier) await page.keyboard.down(modifier);
-      await page.keyboard.press(key, { delay: 60 });
+      await page.keyboard.press(keys[key] ?? key, { delay: 60 });
       if (modifier) await page.keyboard.up(modifier);
     },
     async picture(name) {

@@ -24,6 +24,8 @@ void Backend::set_document_state(std::string_view file_name, bool dirty) {
   headless_log().dirty = dirty;
 }
 
+void Backend::draw_after(double seconds) { headless_log().draw_after_s = seconds; }
+
 void Backend::announce(std::string_view text) { headless_log().announcements.emplace_back(text); }
 
 void Backend::store_preferences(std::string_view json) {

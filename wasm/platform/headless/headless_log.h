@@ -19,6 +19,7 @@ struct HeadlessLog {
   std::string file_name;
   bool dirty = false;
   std::string mouse_cursor = "default";
+  double draw_after_s = 0.0;  ///< of the last request
   std::string preferences;  ///< what store_preferences was given, and load_preferences returns
   int preference_writes = 0;
   SystemPreferences system;

@@ -20,6 +20,8 @@ void Backend::set_document_state(std::string_view file_name, bool dirty) {
 
 void Backend::announce(std::string_view text) { marey_host_announce(text.data(), text.size()); }
 
+void Backend::draw_after(double seconds) { marey_host_draw_after(1000.0 * seconds); }
+
 void Backend::store_preferences(std::string_view json) { marey_host_store_preferences(json.data(), json.size()); }
 
 std::string Backend::load_preferences() {
@@ -30,7 +32,10 @@ std::string Backend::load_preferences() {
 
 SystemPreferences Backend::system_preferences() {
   const int bits = marey_host_system_preferences();
-  return {.dark = (bits & 1) != 0, .reduced_motion = (bits & 2) != 0, .apple_keys = (bits & 4) != 0};
+  return {.dark = (bits & 1) != 0,
+          .reduced_motion = (bits & 2) != 0,
+          .apple_keys = (bits & 4) != 0,
+          .coarse_pointer = (bits & 8) != 0};
 }
 
 void Backend::set_mouse_cursor(std::string_view css_cursor) {

@@ -11,6 +11,7 @@ void marey_host_load_sample(const char* id, size_t id_size);
 void marey_host_set_clipboard_text(const char* text, size_t text_size);
 void marey_host_set_document_state(const char* name, size_t name_size, int dirty);
 void marey_host_announce(const char* text, size_t text_size);
+void marey_host_draw_after(double milliseconds);
 void marey_host_store_preferences(const char* json, size_t json_size);
 /// Copies the stored preferences into `buffer` when they fit into `capacity`; returns their size, 0 for none.
 size_t marey_host_load_preferences(char* buffer, size_t capacity);
