@@ -87,7 +87,7 @@ void draw_splitters(ViewContext& context, const Layout& layout, PanelSizes& size
   if (!layout.outliner.empty()) {
     const Region& region = layout.outliner;
     draw_splitter(context,
-                  {"splitter.outliner", "Width of the outliner", true, ImVec2(region.max.x, region.min.y), region.max, 1.0f,
+                  {"splitter.outliner", "Width of the joints", true, ImVec2(region.max.x, region.min.y), region.max, 1.0f,
                    usual.outliner_width, outliner_limits(size)},
                   sizes.outliner_width);
   }

@@ -197,7 +197,7 @@ void OutlinerView::draw_rows(ViewContext& context) {
 }
 
 void OutlinerView::draw(ViewContext& context) {
-  ui::panel_title(context, "Outliner");
+  ui::panel_title(context, "Joints");
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 8.0f);
   ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - 8.0f);
   ui::search_field(context, "outliner.search", "Find a joint", search_);

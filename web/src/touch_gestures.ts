@@ -2,7 +2,9 @@ import { Button, type ModifierState, type Program } from "./program";
 
 /** A finger that moves less than this, in CSS pixels, is tapping. */
 const tapRadius = 6;
-const longPressMs = 500;
+/** A long press lasts so many ticks; a page that is busy drawing does not tick, and a late finger is not a long one. */
+const longPressTicks = 10;
+const tickMs = 50;
 /** Wheel lines for a doubling of the distance between two fingers. */
 const linesPerDoubling = 5;
 
@@ -71,11 +73,14 @@ export class TouchGestures {
   }
 
   private beginTouch(start: Finger, modifiers: ModifierState): void {
-    const timer = window.setTimeout(() => {
+    let ticks = 0;
+    const timer = window.setInterval(() => {
+      if (++ticks < longPressTicks) return;
+      this.leaveUndecided();
       this.phase = { kind: "done" };
       this.click(Button.Right, start, modifiers);
       this.effects.wake();
-    }, longPressMs);
+    }, tickMs);
     this.phase = { kind: "undecided", start, timer };
     this.program.movePointer("touch", start.x, start.y, modifiers);
   }
@@ -127,7 +132,7 @@ export class TouchGestures {
   }
 
   private leaveUndecided(): void {
-    if (this.phase.kind === "undecided") clearTimeout(this.phase.timer);
+    if (this.phase.kind === "undecided") clearInterval(this.phase.timer);
   }
 
   private finish(): void {

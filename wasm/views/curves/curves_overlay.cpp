@@ -80,9 +80,10 @@ std::vector<CursorLabel> cursor_labels(ViewContext& context, const CurvesState& 
   return labels;
 }
 
-// The letter of a curve, behind its last visible sample.
-void draw_end_letter(ViewContext& context, const CursorLabel& label, float x) {
-  draw_list().AddText(context.fonts.semibold, Fonts::kSmallSize, {std::round(x + 6.0f), std::round(label.y)},
+// The name of a curve, above its last visible sample: the axes take the room beside it.
+void draw_end_letter(ViewContext& context, const CursorLabel& label, float right) {
+  const float width = context.fonts.semibold->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, label.text.c_str()).x;
+  draw_list().AddText(context.fonts.semibold, Fonts::kSmallSize, {std::round(right - width), std::round(label.y)},
                       label.color, label.text.c_str());
 }
 
@@ -154,11 +155,11 @@ void draw_end_letters(ViewContext& context, const CurvesState& state) {
     const float y = state.axis_of(document.skeleton(), channel).y_of(value);
     if (!std::isfinite(value) || y < state.area.min.y || y > state.area.max.y) continue;
     if (described.joint != context.session.selection.active_joint()) continue;
-    letters.push_back({y - 0.5f * kLabelHeight, short_name_of(described), channel_color(context.theme, described)});
+    letters.push_back({y - kLabelHeight, short_name_of(described), channel_color(context.theme, described)});
   }
   declutter(letters, state.area);
-  const float x = std::min(context.time_window.x_of(frame), state.area.max.x - 18.0f);
-  for (const CursorLabel& letter : letters) draw_end_letter(context, letter, x);
+  const float right = std::min(context.time_window.x_of(frame), state.area.max.x - 4.0f);
+  for (const CursorLabel& letter : letters) draw_end_letter(context, letter, right);
 }
 
 void draw_hit_label(ViewContext& context, const CurvesState& state) {

@@ -9,7 +9,7 @@ namespace {
 constexpr float kSampleReach = 8.0f;
 constexpr float kLineReach = 6.0f;
 constexpr double kLeastAngleHeight = 1.0;
-constexpr double kLeastLengthHeight = 1e-3;
+constexpr double kLeastLengthHeight = 0.02;  // statures
 
 float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -88,7 +88,9 @@ void fit_values(CurvesState& state, const Session& session, const TimeWindow& ti
           visible_values(session.document.motion().channel_samples(channel), time.first, time.last));
   }
   if (!angles.empty) state.angles.fit(angles.low, angles.high, kLeastAngleHeight);
-  if (!lengths.empty) state.lengths.fit(lengths.low, lengths.high, kLeastLengthHeight);
+  const double stature = compute_stature(session.document.skeleton());
+  const double least = kLeastLengthHeight * (stature > 0.0 ? stature : 1.0);
+  if (!lengths.empty) state.lengths.fit(lengths.low, lengths.high, least);
 }
 
 void fit_selection(CurvesState& state, const Session& session, TimeWindow& time) {
