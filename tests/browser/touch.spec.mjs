@@ -16,11 +16,15 @@ async function moveFingers(page, from, to, steps = 8) {
     await page.waitForTimeout(30);
   }
   await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await page.evaluate(async () => {
+    for (let i = 0; i < 4; i++) await new Promise((done) => requestAnimationFrame(done));
+  });
 }
 
 test.beforeEach(async ({ marey }) => {
   await marey.goto();
   await marey.open("arm.bvh", armClip(100));
+  await marey.drawn(5);
 });
 
 test("a tap presses a button", async ({ marey, page }) => {

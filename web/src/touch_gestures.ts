@@ -2,9 +2,9 @@ import { Button, type ModifierState, type Program } from "./program";
 
 /** A finger that moves less than this, in CSS pixels, is tapping. */
 const tapRadius = 6;
-/** A long press lasts so many ticks; a page that is busy drawing does not tick, and a late finger is not a long one. */
-const longPressTicks = 10;
-const tickMs = 50;
+const longPressMs = 500;
+/** Browsers tell of moves when they draw: where that is slow, a finger may have moved long ago. */
+const longPressFrames = 2;
 /** Wheel lines for a doubling of the distance between two fingers. */
 const linesPerDoubling = 5;
 
@@ -16,7 +16,7 @@ interface Finger {
 type Phase =
   | { kind: "idle" }
   /** One finger down, not known yet for what. */
-  | { kind: "undecided"; start: Finger; timer: number }
+  | { kind: "undecided"; start: Finger }
   | { kind: "drag" }
   | { kind: "pinch"; distance: number; upright: boolean }
   /** What was begun is over; waits until all fingers are lifted. */
@@ -73,21 +73,23 @@ export class TouchGestures {
   }
 
   private beginTouch(start: Finger, modifiers: ModifierState): void {
-    let ticks = 0;
-    const timer = window.setInterval(() => {
-      if (++ticks < longPressTicks) return;
-      this.leaveUndecided();
-      this.phase = { kind: "done" };
-      this.click(Button.Right, start, modifiers);
-      this.effects.wake();
-    }, tickMs);
-    this.phase = { kind: "undecided", start, timer };
+    const phase: Phase = { kind: "undecided", start };
+    this.phase = phase;
+    const endWait = (): void => {
+      if (this.phase === phase) this.pressLong(start, modifiers);
+    };
+    window.setTimeout(() => afterFrames(longPressFrames, endWait), longPressMs);
     this.program.movePointer("touch", start.x, start.y, modifiers);
+  }
+
+  private pressLong(start: Finger, modifiers: ModifierState): void {
+    this.phase = { kind: "done" };
+    this.click(Button.Right, start, modifiers);
+    this.effects.wake();
   }
 
   private decide(start: Finger, event: PointerEvent): void {
     if (distanceBetween(start, place(event)) <= tapRadius) return;
-    this.leaveUndecided();
     this.press(Button.Left, start, event);
     this.phase = { kind: "drag" };
   }
@@ -126,17 +128,11 @@ export class TouchGestures {
 
   /** Lifts the button that the phase holds down. */
   private release(modifiers: ModifierState): void {
-    this.leaveUndecided();
     if (this.phase.kind === "drag") this.program.pressButton("touch", Button.Left, false, modifiers);
     if (this.phase.kind === "pinch") this.program.pressButton("touch", Button.Middle, false, modifiers);
   }
 
-  private leaveUndecided(): void {
-    if (this.phase.kind === "undecided") clearInterval(this.phase.timer);
-  }
-
   private finish(): void {
-    this.leaveUndecided();
     this.phase = this.fingers.size === 0 ? { kind: "idle" } : { kind: "done" };
   }
 
@@ -157,6 +153,11 @@ export class TouchGestures {
 
 function place(event: PointerEvent): Finger {
   return { x: event.clientX, y: event.clientY };
+}
+
+function afterFrames(count: number, then: () => void): void {
+  if (count === 0) then();
+  else requestAnimationFrame(() => afterFrames(count - 1, then));
 }
 
 function distanceBetween(a: Finger, b: Finger): number {
