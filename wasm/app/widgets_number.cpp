@@ -92,6 +92,12 @@ void draw_resting(const ViewContext& context, const Field& field, bool focused) 
   draw_list.PopClipRect();
 }
 
+// The value for how far was dragged, this frame's move included.
+double follow_move(WidgetState& state, const Field& field) {
+  state.number_dragged += static_cast<double>(ImGui::GetIO().MouseDelta.x) * step_factor();
+  return held_in(field.format, rounded_to(field.format, state.number_start + state.number_dragged * field.format.step));
+}
+
 NumberResult follow_drag(ViewContext& context, const Field& field) {
   WidgetState& state = context.widgets;
   if (ImGui::IsItemActivated()) {
@@ -115,9 +121,7 @@ NumberResult follow_drag(ViewContext& context, const Field& field) {
     const float before = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, 0.0f).x - ImGui::GetIO().MouseDelta.x;
     state.number_dragged = static_cast<double>(before) * step_factor();
   }
-  state.number_dragged += static_cast<double>(ImGui::GetIO().MouseDelta.x) * step_factor();
-  const double moved = rounded_to(field.format, state.number_start + state.number_dragged * field.format.step);
-  return {NumberEvent::Live, held_in(field.format, moved), state.number_gesture};
+  return {NumberEvent::Live, follow_move(state, field), state.number_gesture};
 }
 
 // 1 and -1 for arrow keys, which the focused field takes from ImGui's navigation and from the shortcuts.
@@ -170,7 +174,7 @@ NumberResult number_field(ViewContext& context, const std::string& id, std::stri
   if (result.event != NumberEvent::None) return result;
   if (was_dragged && ImGui::IsItemDeactivated()) {
     state.number_id = 0;
-    return {NumberEvent::Committed, value, state.number_gesture};
+    return {NumberEvent::Committed, follow_move(state, field), state.number_gesture};
   }
   const bool by_keyboard = pressed && ImGui::GetCurrentContext()->NavActivateId == field.item;
   const bool twice = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

@@ -65,7 +65,8 @@ void TimelineView::handle_input(ViewContext& context) {
     dragged_ = handle_at(context, io.MousePos.x, io.MousePos.y);
     if (dragged_ == Handle::Cursor) context.session.playback.set_playing(false);
   }
-  if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) drag_handle(context);
+  // The last move may come in the frame of the release.
+  if (dragged_ != Handle::None && (ImGui::IsItemActive() || ImGui::IsItemDeactivated())) drag_handle(context);
   if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Middle)) {
     time.pan(-static_cast<double>(io.MouseDelta.x) * time.frames_per_unit(), frame_count(context));
   }

@@ -61,6 +61,28 @@ TEST_F(CurvesViewTest, ADragMovesASampleAndUndoBringsItBack) {
   EXPECT_EQ(motion().sample(kChannel, 11), before);
 }
 
+TEST_F(CurvesViewTest, ADragOverBeforeTheNextFrameStillCounts) {
+  const double before = motion().sample(kChannel, 11);
+  const ImVec2 start = place_of(11);
+  ImGuiStage::move_mouse(start);
+  ImGuiStage::press_mouse(true);
+  ImGuiStage::move_mouse({start.x, start.y - 20.0f});
+  release();
+  EXPECT_EQ(stage_.state()["undoDepth"], 1);
+  EXPECT_GT(motion().sample(kChannel, 11), before);
+}
+
+TEST_F(CurvesViewTest, AScrubOverBeforeTheNextFrameArrives) {
+  const UiItem& ruler = stage_.item("timeline.ruler");
+  const float y = ruler.min.y + 6.0f;
+  const float right = ruler.max.x;
+  ImGuiStage::move_mouse({ruler.min.x + 20.0f, y});
+  ImGuiStage::press_mouse(true);
+  ImGuiStage::move_mouse({right, y});
+  release();
+  EXPECT_EQ(stage_.state()["frame"], 22);
+}
+
 TEST_F(CurvesViewTest, FalloffTakesNeighboursAlongByTheirShare) {
   stage_.app().run_command("curve.falloff", {{"radius", 4}});
   const double before[] = {motion().sample(kChannel, 11), motion().sample(kChannel, 13), motion().sample(kChannel, 15)};

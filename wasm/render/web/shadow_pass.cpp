@@ -10,7 +10,8 @@
 namespace marey::app::gl {
 namespace {
 
-constexpr int kMapSize = 512;
+// Shadows are soft, and a software renderer pays for every texel.
+constexpr int kMapSize = 256;
 // Height at which the dark core of the shadow has lost two thirds, in shadow radii.
 constexpr float kCoreHeight = 0.12f;
 // Room for the blur around the shadow.

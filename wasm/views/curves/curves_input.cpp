@@ -172,7 +172,9 @@ void handle_curves_input(ViewContext& context, CurvesState& state) {
     state.hit = hovered ? find_curve_hit(state, context.session, context.time_window, io().MousePos) : CurveHit{};
   }
   if (ImGui::IsItemActivated()) begin_drag(context, state);
-  if (ImGui::IsItemActive() && state.drag.kind != CurveDragKind::None) continue_drag(context, state);
+  // The last move may come in the frame of the release.
+  const bool follows = ImGui::IsItemActive() || ImGui::IsItemDeactivated();
+  if (follows && state.drag.kind != CurveDragKind::None) continue_drag(context, state);
   // Escape also takes the item's activity away, so it must be asked for first.
   if (dragging && ImGui::IsKeyPressed(ImGuiKey_Escape)) cancel_drag(context, state);
   if (ImGui::IsItemDeactivated()) finish_drag(context, state);

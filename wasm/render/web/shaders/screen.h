@@ -34,8 +34,8 @@ uniform vec2 u_step;  // one texel along the direction, in texture coordinates
 in vec2 v_uv;
 out vec4 o_color;
 
-const int kTaps = 7;
-const vec2 kSigma = vec2(1.8, 5.0);  // texels
+const int kTaps = 4;
+const vec2 kSigma = vec2(0.9, 2.5);  // texels
 
 void main() {
   vec2 sum = texture(u_map, v_uv).rg;
