@@ -11,7 +11,6 @@ TEST(Preferences, ComeBackAsWritten) {
   preferences.sizes.outliner_width = 312.0f;
   preferences.options.interface_scale = 1.75f;
   preferences.options.show_strobe = true;
-  preferences.options.strobe_every_frames = 9;
   preferences.sheet = Sheet::Inspector;
   preferences.welcome_seen = true;
   const Preferences read = read_preferences(write_preferences(preferences));
@@ -19,7 +18,6 @@ TEST(Preferences, ComeBackAsWritten) {
   EXPECT_EQ(read.sizes.outliner_width, 312.0f);
   EXPECT_EQ(read.options.interface_scale, 1.75f);
   EXPECT_TRUE(read.options.show_strobe);
-  EXPECT_EQ(read.options.strobe_every_frames, 9);
   EXPECT_EQ(read.sheet, Sheet::Inspector);
   EXPECT_TRUE(read.welcome_seen);
   EXPECT_EQ(write_preferences(read), write_preferences(preferences));
@@ -34,9 +32,9 @@ TEST(Preferences, RubbishGivesTheDefaults) {
 }
 
 TEST(Preferences, NumbersAreBroughtIntoTheirRange) {
-  const Preferences read = read_preferences(R"({"interfaceScale":40,"strobeEveryFrames":0,"curvesHeight":-5})");
+  const Preferences read = read_preferences(R"({"interfaceScale":40,"falloffRadiusFrames":-3,"curvesHeight":-5})");
   EXPECT_EQ(read.options.interface_scale, kLargestInterfaceScale);
-  EXPECT_EQ(read.options.strobe_every_frames, 1);
+  EXPECT_GE(read.options.falloff_radius_frames, 0.0f);
   EXPECT_GT(read.sizes.curves_height, 0.0f);
 }
 

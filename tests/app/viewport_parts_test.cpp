@@ -32,6 +32,13 @@ TEST(StrobeFrames, AreEveryNthOfTheRange) {
   EXPECT_EQ(find_strobe_frames({0, 0}, 4, 0, 60).count, 0);
 }
 
+TEST(StrobeFrames, UsuallyShowADozenPosesOrTwoEverySecond) {
+  EXPECT_EQ(usual_strobe_distance(23, 1.0 / 30.0), 2);
+  EXPECT_EQ(usual_strobe_distance(524, 1.0 / 120.0), 50);
+  EXPECT_EQ(usual_strobe_distance(100'000, 1.0 / 120.0), 100);
+  EXPECT_EQ(usual_strobe_distance(0, 0.0), 1);
+}
+
 TEST(StrobeFrames, OfALongClipAreThoseAroundThePresentFrame) {
   for (const int frame : {0, 123, 5000, 9999}) {
     const StrobeFrames frames = find_strobe_frames({0, 10000}, 10, frame, 60);

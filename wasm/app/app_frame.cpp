@@ -6,6 +6,7 @@
 #include "wasm/app/app_parts.h"
 #include "wasm/app/shortcut.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/viewport/strobe.h"
 
 namespace marey::app {
 namespace {
@@ -98,7 +99,10 @@ void begin_views(AppParts& parts) {
 void follow_clip(AppParts& parts) {
   if (parts.shown_clip_serial == parts.workspace.clip_serial) return;
   parts.shown_clip_serial = parts.workspace.clip_serial;
-  parts.time_window.fit(parts.workspace.session.document.motion().frame_count());
+  const Motion& motion = parts.workspace.session.document.motion();
+  parts.time_window.fit(motion.frame_count());
+  parts.workspace.preferences.options.strobe_every_frames =
+      usual_strobe_distance(motion.frame_count(), motion.frame_time_s());
   parts.shell.document_opened();
 }
 

@@ -20,7 +20,7 @@ void add_help_commands(CommandRegistry& registry, Workspace& workspace) {
                .label = "Search commands…",
                .help = "Finds a command by its name and runs it.",
                .shortcut = "Ctrl+K",
-               .icon = icons::kCommand,
+               .icon = icons::kSearch,
                .in_palette = false},
               Overlay::Palette);
   add_overlay(registry, workspace,

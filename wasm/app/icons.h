@@ -24,7 +24,6 @@ inline constexpr char kCircleCheck[] = "\ue226";
 inline constexpr char kCircleQuestionMark[] = "\ue082";
 inline constexpr char kClipboard[] = "\ue085";
 inline constexpr char kClock[] = "\ue087";
-inline constexpr char kCommand[] = "\ue09a";
 inline constexpr char kContrast[] = "\ue09d";
 inline constexpr char kCopy[] = "\ue09e";
 inline constexpr char kCornerDownLeft[] = "\ue0a1";

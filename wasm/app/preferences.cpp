@@ -28,7 +28,6 @@ void visit_values(Preferences& preferences, const Visit& visit) {
   visit("orthographic", options.orthographic);
   visit("projector", options.projector);
   visit("welcomeSeen", preferences.welcome_seen);
-  visit("strobeEveryFrames", options.strobe_every_frames, 1, 1000);
   visit("falloffRadiusFrames", options.falloff_radius_frames, 0.0f, 1000.0f);
   visit("smoothSigmaFrames", options.smooth_sigma_frames, 0.1f, 1000.0f);
   visit("interfaceScale", options.interface_scale, 1.0f, kLargestInterfaceScale);

@@ -16,7 +16,7 @@ struct ViewOptions {
   bool show_shadow = true;
   bool show_names = false;
   bool show_strobe = false;
-  int strobe_every_frames = 4;  ///< >= 1
+  int strobe_every_frames = 4;  ///< >= 1; set anew for each clip
   bool show_trails = false;     ///< of the selected joints; of the end sites when none is selected
   bool follow_root = false;
   bool orthographic = false;

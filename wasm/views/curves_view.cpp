@@ -87,11 +87,11 @@ void CurvesView::draw(ViewContext& context) {
     ImGui::EndChild();
   }
   ImGui::SetCursorScreenPos({corner.x + list_width + 8.0f, corner.y + 4.0f});
-  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f, CurvesToolbar::kHeight}, ImGuiChildFlags_None,
+  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f, CurvesToolbar::height()}, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoScrollbar);
   toolbar_.draw(context, state_);
   ImGui::EndChild();
-  const float used = CurvesToolbar::kHeight + 8.0f;
+  const float used = CurvesToolbar::height() + 8.0f;
   if (room.y - used < 40.0f) return;
   place_axes(context, {corner.x, corner.y + used}, {room.x, room.y - used});
   draw_canvas(context);

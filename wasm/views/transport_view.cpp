@@ -18,6 +18,10 @@ std::string speed_label(double speed) { return fmt::format("{:g}×", speed); }
 
 std::string rate_label(double frame_time_s) { return fmt::format("{:.4g} fps", display_frame_rate_hz(frame_time_s)); }
 
+float mono_width(const ViewContext& context, const std::string& text) {
+  return context.fonts.mono->CalcTextSizeA(Fonts::kTextSize, 1e6f, 0.0f, text.c_str()).x;
+}
+
 void mono_text(ViewContext& context, const std::string& text, ImU32 color) {
   ImGui::AlignTextToFramePadding();
   ImGui::PushFont(context.fonts.mono, Fonts::kTextSize);
@@ -66,7 +70,9 @@ void TransportView::draw_position(ViewContext& context) {
   mono_text(context, fmt::format("/{}", count), context.theme.dim_text);
   ImGui::SameLine(0.0f, compact ? 8.0f : 16.0f);
   const double time_s = playback.position() * motion.frame_time_s();
-  mono_text(context, fmt::format("{:.{}f} s", time_s, compact ? 2 : 3), context.theme.text);
+  const std::string time = fmt::format("{:.{}f} s", time_s, compact ? 2 : 3);
+  if (compact && mono_width(context, time) > ImGui::GetContentRegionAvail().x) return ImGui::NewLine();
+  mono_text(context, time, context.theme.text);
   if (compact) return;
   ImGui::SameLine(0.0f, 6.0f);
   mono_text(context, fmt::format("/ {:.3f} s", motion.duration_s()), context.theme.dim_text);

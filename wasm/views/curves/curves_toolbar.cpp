@@ -31,8 +31,9 @@ void label(ViewContext& context, std::string_view text) {
 void separator(ViewContext& context) {
   ImGui::SameLine(0.0f, 10.0f);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 6.0f}, {at.x, at.y + 22.0f}, context.theme.line);
-  ImGui::Dummy({1.0f, 28.0f});
+  const float height = ImGui::GetFrameHeight();
+  ImGui::GetWindowDrawList()->AddLine({at.x, at.y + 6.0f}, {at.x, at.y + height - 6.0f}, context.theme.line);
+  ImGui::Dummy({1.0f, height});
   ImGui::SameLine(0.0f, 10.0f);
 }
 
@@ -77,6 +78,8 @@ void CurvesToolbar::draw_smooth(ViewContext& context) {
   ui::command_button(context, "curve.smooth", ui::ButtonLook::Raised, true);
 }
 
+float CurvesToolbar::height() { return ImGui::GetFrameHeight() + 8.0f; }
+
 void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
   ui::command_button(context, "curve.fit");
   ImGui::SameLine(0.0f, 2.0f);
@@ -89,8 +92,9 @@ void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
   if (falloff.event != ui::NumberEvent::None) context.options.falloff_radius_frames = static_cast<float>(falloff.value);
   if (!has_selection(context)) {
     separator(context);
-    label(context, "Select samples to edit them");
-    ImGui::NewLine();
+    ImGui::AlignTextToFramePadding();
+    ui::elided_text(context, "Select samples to edit them", ImGui::GetContentRegionAvail().x - 8.0f,
+                    context.theme.dim_text);
     return;
   }
   separator(context);

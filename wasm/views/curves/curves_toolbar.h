@@ -8,7 +8,7 @@ namespace marey::app {
 /// The row above the curves: fit, falloff, and the operations on the selected samples: value, offset, scale, smooth.
 class CurvesToolbar {
  public:
-  static constexpr float kHeight = 36.0f;
+  [[nodiscard]] static float height();
   void draw(ViewContext& context, CurvesState& state);
 
  private:

@@ -1,6 +1,7 @@
 #include "wasm/views/inspector/property_row.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "wasm/app/widgets.h"
 
@@ -9,6 +10,16 @@ namespace {
 
 constexpr float kRowGap = 4.0f;
 constexpr float kNumberInset = 8.0f;
+
+// The label stands in the middle of a row of this height.
+float begin_row(ViewContext& context, std::string_view label, float height) {
+  ImGui::SetCursorPosX(kPadding);
+  const float top = ImGui::GetCursorPosY();
+  ImGui::SetCursorPosY(top + std::round(0.5f * (height - ImGui::GetTextLineHeight())));
+  ui::dim_text(context, label);
+  ImGui::SetCursorPos({kPadding + kLabelWidth, top});
+  return std::max(40.0f, ImGui::GetContentRegionAvail().x - kPadding);
+}
 
 }  // namespace
 
@@ -22,25 +33,22 @@ void heading(ViewContext& context, std::string_view text) {
 }
 
 float begin_row(ViewContext& context, std::string_view label) {
-  ImGui::SetCursorPosX(kPadding);
-  const float top = ImGui::GetCursorPosY();
-  ImGui::SetCursorPosY(top + 0.5f * (kRowHeight - ImGui::GetTextLineHeight()));
-  ui::dim_text(context, label);
-  ImGui::SetCursorPos({kPadding + kLabelWidth, top});
-  return std::max(40.0f, ImGui::GetContentRegionAvail().x - kPadding);
+  return begin_row(context, label, ImGui::GetFrameHeight());
 }
 
 void end_row() { ImGui::Dummy({0.0f, kRowGap}); }
 
 void text_row(ViewContext& context, std::string_view label, const std::string& value, bool number) {
-  const float width = begin_row(context, label);
+  float width = begin_row(context, label, kRowHeight);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + 0.5f * (kRowHeight - ImGui::GetTextLineHeight()));
   ImGui::PushFont(number ? context.fonts.mono : context.fonts.text, Fonts::kTextSize);
   if (number) {
-    // Under the numbers of the fields, which stand at the right edge.
+    // Under the numbers of the fields, which stand at the right edge; a long one takes the room of its label.
+    const float label_end = ImGui::CalcTextSize(label.data(), label.data() + label.size()).x - kLabelWidth + 8.0f;
     const float shift = width - kNumberInset - ImGui::CalcTextSize(value.c_str()).x;
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, shift));
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(label_end, shift));
+    width -= std::max(label_end, shift);
   }
   ui::elided_text(context, value, width, context.theme.text);
   ImGui::PopFont();

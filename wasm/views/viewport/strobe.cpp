@@ -1,6 +1,7 @@
 #include "wasm/views/viewport/strobe.h"
 
 #include <algorithm>
+#include <array>
 
 #include "wasm/views/viewport/figure_drawing.h"
 
@@ -19,6 +20,14 @@ StrobeFrames find_strobe_frames(FrameRange range, int every, FrameIndex frame, i
   const int here = std::clamp((frame - range.first) / step, 0, std::max(all - 1, 0));
   const int skipped = std::clamp(here - count / 2, 0, all - count);
   return {range.first + skipped * step, step, count};
+}
+
+int usual_strobe_distance(int frame_count, double frame_time_s) {
+  constexpr std::array kRound = {1, 2, 5, 10, 20, 50, 100, 200, 500};
+  const double half_second = frame_time_s > 0.0 ? 0.5 / frame_time_s : 1.0;
+  const double wanted = std::min(frame_count / 12.0, half_second);
+  const auto found = std::lower_bound(kRound.begin(), kRound.end(), wanted);
+  return found == kRound.end() ? kRound.back() : *found;
 }
 
 void Strobe::update(const Session& session, const FigureCache& figure, bool visible, int every, const Theme& theme,

@@ -19,6 +19,9 @@ struct StrobeFrames {
 };
 [[nodiscard]] StrobeFrames find_strobe_frames(FrameRange range, int every, FrameIndex frame, int limit);
 
+/// A distance of poses that keeps a picture clear: about a dozen in a short clip, half a second in a long one.
+[[nodiscard]] int usual_strobe_distance(int frame_count, double frame_time_s);
+
 /// The poses of a motion on one plate, as Marey photographed it: earlier ones fainter. Computed when clip, frames or
 /// theme change, not in every frame.
 class Strobe {
