@@ -8,6 +8,7 @@
 #include "core/bvh/reader.h"
 #include "wasm/app/app_parts.h"
 #include "wasm/app/builtin_commands.h"
+#include "wasm/app/number_text.h"
 #include "wasm/app/samples.h"
 #include "wasm/app/widgets.h"
 
@@ -53,9 +54,10 @@ std::string opened_text(const Session& session) {
   const Document& document = session.document;
   const Diagnostics& found = document.diagnostics();
   const int problems = found.count(Severity::Warning) + found.count(Severity::Error);
-  std::string text = fmt::format("Opened {}: {} joints, {} frames", ui::displayable(document.file_name()),
-                                 document.skeleton().joint_count(), document.motion().frame_count());
-  if (problems > 0) text += problems == 1 ? ", 1 problem" : fmt::format(", {} problems", problems);
+  std::string text = fmt::format("Opened {}: {}, {}", ui::displayable(document.file_name()),
+                                 counted(document.skeleton().joint_count(), "joint"),
+                                 counted(document.motion().frame_count(), "frame"));
+  if (problems > 0) text += ", " + counted(problems, "problem");
   return text + ".";
 }
 

@@ -92,10 +92,9 @@ void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
   if (falloff.event != ui::NumberEvent::None) context.options.falloff_radius_frames = static_cast<float>(falloff.value);
   if (!has_selection(context)) {
     separator(context);
-    ImGui::AlignTextToFramePadding();
-    ui::elided_text(context, "Select samples to edit them", ImGui::GetContentRegionAvail().x - 8.0f,
-                    context.theme.dim_text);
-    return;
+    constexpr const char* kAdvice = "Select samples to edit them";
+    if (ImGui::CalcTextSize(kAdvice).x <= ImGui::GetContentRegionAvail().x) label(context, kAdvice);
+    return ImGui::NewLine();
   }
   separator(context);
   draw_value(context);

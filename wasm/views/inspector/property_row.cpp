@@ -27,7 +27,7 @@ void heading(ViewContext& context, std::string_view text) {
   ImGui::Dummy({0.0f, 8.0f});
   ImGui::SetCursorPosX(kPadding);
   ImGui::PushFont(context.fonts.semibold, Fonts::kTextSize);
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ui::elided_text(context, text, ImGui::GetContentRegionAvail().x - kPadding, context.theme.text);
   ImGui::PopFont();
   ImGui::Dummy({0.0f, 2.0f});
 }
