@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "core/base/text_excerpt.h"
 #include "core/document/document.h"
 #include "core/document/playback.h"
 #include "core/document/selection.h"
@@ -14,6 +16,7 @@ struct Session {
   Document document;
   Selection selection;
   Playback playback;
+  std::vector<TextExcerpt> excerpts;  ///< of each of the document's diagnostics; none where the text was not kept
 
   /// Nothing selected, paused on the first frame.
   [[nodiscard]] static Session open(BvhClip clip, std::string file_name);

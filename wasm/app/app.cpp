@@ -61,6 +61,14 @@ std::string opened_text(const Session& session) {
   return text + ".";
 }
 
+// The bytes are not kept: what the report shows of them is taken now. UTF-16 would show as rubbish.
+std::vector<TextExcerpt> find_excerpts(const Document& document, std::string_view bytes) {
+  if (document.style().encoding != TextEncoding::Bytes) return {};
+  std::vector<TextPlace> places;
+  for (const Diagnostic& diagnostic : document.diagnostics().list()) places.push_back(diagnostic.place);
+  return make_excerpts(bytes, places);
+}
+
 bool is_sample_file(std::string_view file_name) {
   for (const Sample& sample : kSamples) {
     if (file_name == std::string(sample.id) + ".bvh") return true;
@@ -92,7 +100,9 @@ Status App::open_file(std::string file_name, std::string_view bytes) {
     workspace.backend.announce(message.title + ". " + message.detail);
     return clip.error();
   }
-  workspace.open(Session::open(std::move(clip.value()), std::move(file_name)));
+  Session opened = Session::open(std::move(clip.value()), std::move(file_name));
+  opened.excerpts = find_excerpts(opened.document, bytes);
+  workspace.open(std::move(opened));
   // The root is selected, so that the first thing the curve editor shows is curves.
   workspace.session.selection.select_only(0);
   workspace.messages.clear();

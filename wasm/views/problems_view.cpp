@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/inspector/clip_page.h"
 
 namespace marey::app {
 namespace {
 
 constexpr float kPadding = 12.0f;
 constexpr float kTextIndent = 24.0f;
+constexpr float kLineHeight = 18.0f;
 
 struct SeverityLook {
   const char* icon;
@@ -36,7 +39,7 @@ std::string place_text(const Diagnostic& diagnostic) {
 }
 
 void draw_nothing_found(const ViewContext& context, bool has_clip) {
-  ImGui::SetCursorPos(ImVec2(kPadding, 16.0f));
+  ImGui::SetCursorPosX(kPadding);
   ImGui::PushStyleColor(ImGuiCol_Text, has_clip ? context.theme.ok : context.theme.dim_text);
   ImGui::TextUnformatted(has_clip ? icons::kCircleCheck : icons::kFile);
   ImGui::PopStyleColor();
@@ -46,12 +49,22 @@ void draw_nothing_found(const ViewContext& context, bool has_clip) {
   ImGui::PopTextWrapPos();
 }
 
-}  // namespace
+// What can be read in another way has its alternatives below it.
+void draw_choices(ViewContext& context, DiagnosticCode code) {
+  switch (code) {
+    case DiagnosticCode::PositionsReplaceOffset:
+    case DiagnosticCode::PositionsAddToOffset:
+    case DiagnosticCode::PositionsAmbiguous: inspector::draw_position_choice(context); break;
+    case DiagnosticCode::MissingFrameTime:
+    case DiagnosticCode::FrameTimeNotPositive:
+    case DiagnosticCode::FrameTimeLooksLikeRate: inspector::draw_frame_time(context); break;
+    default: return;
+  }
+  ImGui::Dummy(ImVec2(0.0f, 4.0f));
+}
 
-void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic, int index) {
+void draw_message(const ViewContext& context, const Diagnostic& diagnostic, const std::string& message) {
   const SeverityLook look = look_of(context.theme, diagnostic.severity);
-  ImGui::SetCursorPosX(kPadding);
-  const ImVec2 top = ImGui::GetCursorScreenPos();
   ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, look.color);
   ImGui::TextUnformatted(look.icon);
@@ -59,14 +72,93 @@ void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic
   ImGui::SameLine(0.0f, kTextIndent - Fonts::kTextSize);
   ImGui::BeginGroup();
   ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - kPadding);
-  const std::string message = ui::displayable(diagnostic.message);
   ImGui::TextUnformatted(message.c_str(), message.c_str() + message.size());
   ui::dim_text(context, place_text(diagnostic));
   ImGui::PopTextWrapPos();
   ImGui::EndGroup();
   ImGui::EndGroup();
-  context.items.add_last(fmt::format("problems.entry.{}", index), message);
+}
+
+void show_that_it_unfolds(ViewContext& context) {
+  const ImVec2 min = ImGui::GetItemRectMin();
+  const ImVec2 max = ImGui::GetItemRectMax();
+  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  context.status = "Click to see the place in the text of the file.";
+  ImGui::GetWindowDrawList()->AddRectFilled({min.x - 6.0f, min.y - 4.0f}, {max.x + 6.0f, max.y + 4.0f},
+                                            with_alpha(context.theme.text, 0.05f), 4.0f);
+}
+
+/// Where the lines of an excerpt stand; what does not fit is cut off, the place never.
+struct ExcerptLayout {
+  ImVec2 min, max;
+  float letter;   ///< width of one
+  float text_x;
+  int skipped;    ///< bytes at the front of each line
+};
+
+ExcerptLayout lay_out_excerpt(const ViewContext& context, const TextExcerpt& excerpt, std::size_t number_width) {
+  ExcerptLayout layout;
+  layout.min = ImGui::GetCursorScreenPos();
+  layout.max = {layout.min.x + ImGui::GetContentRegionAvail().x - kPadding,
+                layout.min.y + kLineHeight * static_cast<float>(size_of(excerpt.lines)) + 8.0f};
+  layout.letter = context.fonts.mono->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, "0").x;
+  layout.text_x = layout.min.x + layout.letter * static_cast<float>(number_width) + 18.0f;
+  const auto fitting = static_cast<int>((layout.max.x - layout.text_x) / layout.letter);
+  layout.skipped = std::max(excerpt.marked_byte - fitting * 2 / 3, 0);
+  return layout;
+}
+
+void draw_excerpt_line(const ViewContext& context, const ExcerptLayout& layout, float y, const std::string& number,
+                       const std::string& line) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const std::string text = ui::displayable(line.substr(std::min(idx(layout.skipped), line.size())));
+  list.AddText(context.fonts.mono, Fonts::kSmallSize, {layout.min.x + 8.0f, y}, context.theme.dim_text, number.c_str());
+  list.AddText(context.fonts.mono, Fonts::kSmallSize, {layout.text_x, y}, context.theme.text, text.c_str());
+}
+
+}  // namespace
+
+void ProblemsView::draw_excerpt(ViewContext& context, int index) const {
+  const TextExcerpt& excerpt = context.session.excerpts[idx(index)];
+  const std::size_t number_width = fmt::formatted_size("{}", excerpt.first_line + size_of(excerpt.lines) - 1);
+  const ExcerptLayout layout = lay_out_excerpt(context, excerpt, number_width);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(layout.min, layout.max, context.theme.app, 4.0f);
+  list.PushClipRect(layout.min, layout.max, true);
+  const float marked_y = layout.min.y + 4.0f + kLineHeight * static_cast<float>(excerpt.marked_line);
+  list.AddRectFilled({layout.min.x, marked_y}, {layout.max.x, marked_y + kLineHeight}, with_alpha(context.theme.accent, 0.15f));
+  for (int i = 0; i < size_of(excerpt.lines); ++i) {
+    draw_excerpt_line(context, layout, layout.min.y + 5.0f + kLineHeight * static_cast<float>(i),
+                      fmt::format("{:>{}}", excerpt.first_line + i, number_width), excerpt.lines[idx(i)]);
+  }
+  const float x = layout.text_x + layout.letter * static_cast<float>(excerpt.marked_byte - layout.skipped);
+  list.AddRectFilled({x, marked_y + kLineHeight - 2.0f}, {x + layout.letter, marked_y + kLineHeight}, context.theme.warning);
+  list.PopClipRect();
+  ImGui::Dummy({layout.max.x - layout.min.x, layout.max.y - layout.min.y});
+  context.items.add_last(fmt::format("problems.excerpt.{}", index), excerpt.lines[idx(excerpt.marked_line)]);
+  ImGui::Dummy(ImVec2(0.0f, 4.0f));
+}
+
+void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic, int index) {
+  const std::string message = ui::displayable(diagnostic.message);
+  const bool has_excerpt = index < size_of(context.session.excerpts) && !context.session.excerpts[idx(index)].lines.empty();
+  ImGui::SetCursorPosX(kPadding);
+  const ImVec2 top = ImGui::GetCursorScreenPos();
+  draw_message(context, diagnostic, message);
+  const ImVec2 end = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(top);
+  const std::string id = fmt::format("problems.entry.{}", index);
+  const ImVec2 size(ImGui::GetContentRegionAvail().x - kPadding, end.y - top.y);
+  if (ImGui::InvisibleButton(id.c_str(), size, ImGuiButtonFlags_EnableNav) && has_excerpt) {
+    unfolded_ = unfolded_ == index ? -1 : index;
+  }
+  context.items.add_last(id, message);
+  if (has_excerpt && ImGui::IsItemHovered()) show_that_it_unfolds(context);
   ImGui::Dummy(ImVec2(0.0f, 6.0f));
+  ImGui::Indent(kPadding);
+  if (unfolded_ == index) draw_excerpt(context, index);
+  ImGui::Unindent(kPadding);
+  draw_choices(context, diagnostic.code);
   const float bottom = ImGui::GetCursorScreenPos().y;
   ui::hairline(*ImGui::GetWindowDrawList(), ImVec2(top.x, bottom),
                ImVec2(top.x + ImGui::GetWindowWidth() - 2.0f * kPadding, bottom), context.theme.line);
@@ -74,14 +166,17 @@ void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic
 }
 
 void ProblemsView::draw(ViewContext& context) {
+  if (clip_serial_ != context.clip_serial) {
+    clip_serial_ = context.clip_serial;
+    unfolded_ = -1;
+  }
   const Document& document = context.session.document;
   const auto& list = document.diagnostics().list();
-  if (list.empty()) {
-    draw_nothing_found(context, document.skeleton().joint_count() > 0);
-    return;
-  }
+  const bool has_clip = document.skeleton().joint_count() > 0;
   ImGui::Dummy(ImVec2(0.0f, 12.0f));
+  if (list.empty()) draw_nothing_found(context, has_clip);
   for (int i = 0; i < size_of(list); ++i) draw_entry(context, list[idx(i)], i);
+  if (has_clip) inspector::draw_assumptions(context);
 }
 
 }  // namespace marey::app

@@ -23,24 +23,10 @@ void draw_content(ViewContext& context) {
   inspector::text_row(context, "Duration", fmt::format("{:.3f} s", motion.duration_s()), true);
 }
 
-void draw_frame_time(ViewContext& context) {
-  const Motion& motion = context.session.document.motion();
-  inspector::heading(context, "Time");
-  const float width = inspector::begin_row(context, "Frame time");
-  const auto result = ui::number_field(context, "inspector.frame_time", "Frame time", motion.frame_time_s(),
-                                       {.unit = "s", .decimals = 6, .step = 0.0001, .low = 1e-5, .high = 100.0, .width = width});
-  apply_number(context, result, [&](const Clip&) { return make_frame_time_edit(result.value); });
-  inspector::end_row();
-  inspector::text_row(context, "Frame rate", fmt::format("{:.5g} fps", display_frame_rate_hz(motion.frame_time_s())), true);
-}
-
-void draw_length(ViewContext& context) {
+void draw_unit(ViewContext& context) {
   const Document& document = context.session.document;
-  const double stature = compute_stature(document.skeleton());
-  const double metres_per_unit = document.settings().metres_per_unit;
-  inspector::heading(context, "Length");
   const float width = inspector::begin_row(context, "One unit is");
-  const auto result = ui::number_field(context, "inspector.metres_per_unit", "One unit is", metres_per_unit,
+  const auto result = ui::number_field(context, "inspector.metres_per_unit", "One unit is", document.settings().metres_per_unit,
                                        {.unit = "m", .decimals = 5, .step = 0.0005, .low = 1e-6, .high = 1e6, .width = width});
   apply_number(context, result, [&](const Clip& clip) {
     ClipSettings settings = clip.settings;
@@ -48,32 +34,59 @@ void draw_length(ViewContext& context) {
     return make_settings_edit(clip, settings);
   });
   inspector::end_row();
-  inspector::text_row(context, "Stature", fmt::format("{:.2f} units {:6.2f} m", stature, stature * metres_per_unit), true);
+  const double stature = compute_stature(document.skeleton());
+  inspector::text_row(context, "Stature",
+                      fmt::format("{:.2f} units {:6.2f} m", stature, stature * document.settings().metres_per_unit), true);
 }
 
-void draw_reading(ViewContext& context) {
-  inspector::heading(context, "Reading");
+void draw_up_axis(ViewContext& context) {
   inspector::begin_row(context, "Up axis");
   ui::command_button(context, "clip.up_axis.y", ui::ButtonLook::Raised, true, "@inspector");
   ImGui::SameLine(0.0f, 4.0f);
   ui::command_button(context, "clip.up_axis.z", ui::ButtonLook::Raised, true, "@inspector");
   inspector::end_row();
-  ImGui::Dummy({0.0f, 4.0f});
-  inspector::begin_row(context, "Positions");
-  ui::command_button(context, "clip.positions.replace", ui::ButtonLook::Raised, true, "@inspector");
-  inspector::end_row();
-  inspector::begin_row(context, "");
-  ui::command_button(context, "clip.positions.add", ui::ButtonLook::Raised, true, "@inspector");
-  inspector::end_row();
 }
 
 }  // namespace
 
+namespace inspector {
+
+void draw_frame_time(ViewContext& context) {
+  const Motion& motion = context.session.document.motion();
+  const float width = begin_row(context, "Frame time");
+  const auto result = ui::number_field(context, "inspector.frame_time", "Frame time", motion.frame_time_s(),
+                                       {.unit = "s", .decimals = 6, .step = 0.0001, .low = 1e-5, .high = 100.0, .width = width});
+  apply_number(context, result, [&](const Clip&) { return make_frame_time_edit(result.value); });
+  end_row();
+  text_row(context, "Frame rate", fmt::format("{:.5g} fps", display_frame_rate_hz(motion.frame_time_s())), true);
+}
+
+void draw_position_choice(ViewContext& context) {
+  begin_row(context, "Positions");
+  ui::command_button(context, "clip.positions.replace", ui::ButtonLook::Raised, true, "@inspector");
+  end_row();
+  begin_row(context, "");
+  ui::command_button(context, "clip.positions.add", ui::ButtonLook::Raised, true, "@inspector");
+  end_row();
+}
+
+void draw_assumptions(ViewContext& context) {
+  heading(context, "Assumed");
+  draw_up_axis(context);
+  draw_unit(context);
+}
+
+}  // namespace inspector
+
 void draw_clip_page(ViewContext& context) {
   draw_content(context);
-  draw_frame_time(context);
-  draw_length(context);
-  draw_reading(context);
+  inspector::heading(context, "Time");
+  inspector::draw_frame_time(context);
+  inspector::heading(context, "Length");
+  draw_unit(context);
+  inspector::heading(context, "Reading");
+  draw_up_axis(context);
+  inspector::draw_position_choice(context);
   ImGui::Dummy({0.0f, 16.0f});
 }
 

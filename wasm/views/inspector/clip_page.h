@@ -8,4 +8,13 @@ namespace marey::app {
 /// assumptions can be changed and undone.
 void draw_clip_page(ViewContext& context);
 
+namespace inspector {
+
+/// Rows of the page that also stand below the findings they answer.
+void draw_frame_time(ViewContext& context);
+void draw_position_choice(ViewContext& context);
+/// What no file says and every file leaves to be guessed: up axis and unit of length.
+void draw_assumptions(ViewContext& context);
+
+}  // namespace inspector
 }  // namespace marey::app
