@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/bits.h"
 #include "core/bvh/writer.h"
 #include "core/kinematics/clip_bounds.h"
 
@@ -70,11 +71,30 @@ std::string Document::save_text() const { return write_bvh(clip_.skeleton, clip_
 void Document::mark_saved() {
   history_.mark_saved();
   saved_samples_.clear();
+  saved_offsets_.clear();
+  saved_frame_time_s_.reset();
 }
 
 std::span<const double> Document::saved_samples(ChannelIndex channel) const {
   const auto found = saved_samples_.find(channel);
   return found == saved_samples_.end() ? std::span<const double>() : std::span<const double>(found->second);
+}
+
+Changes Document::find_changes() const {
+  Changes changes;
+  for (const auto& [channel, saved] : saved_samples_) {
+    const std::span<const double> samples = clip_.motion.channel_samples(channel);
+    const std::int64_t before = changes.samples;
+    for (FrameIndex frame = 0; frame < size_of(saved); ++frame) {
+      if (same_bits(saved[idx(frame)], samples[idx(frame)])) continue;
+      ++changes.samples;
+      changes.frames = hull(changes.frames, {frame, 1});
+    }
+    changes.channels += changes.samples > before ? 1 : 0;
+  }
+  for (const auto& [node, saved] : saved_offsets_) changes.offsets += saved != clip_.skeleton.node(node).offset ? 1 : 0;
+  changes.frame_time = saved_frame_time_s_ && *saved_frame_time_s_ != clip_.motion.frame_time_s();
+  return changes;
 }
 
 void Document::keep_ghosts(const Edit& edit) {
@@ -83,6 +103,10 @@ void Document::keep_ghosts(const Edit& edit) {
     const std::span<const double> samples = clip_.motion.channel_samples(change.channel);
     saved_samples_.emplace(change.channel, std::vector<double>(samples.begin(), samples.end()));
   }
+  for (const OffsetChange& change : edit.offsets) {
+    saved_offsets_.try_emplace(change.node, clip_.skeleton.node(change.node).offset);
+  }
+  if (edit.frame_time_s && !saved_frame_time_s_) saved_frame_time_s_ = clip_.motion.frame_time_s();
 }
 
 // A file saved in the middle of a gesture holds the gesture's state, which is about to be taken back.

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "core/bvh/bvh_clip.h"
+#include "core/document/changes.h"
 #include "core/editing/history.h"
 
 namespace marey {
@@ -47,6 +49,8 @@ class Document {
 
   /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched.
   [[nodiscard]] std::span<const double> saved_samples(ChannelIndex channel) const;
+  /// In what a download would differ from what was last opened or saved. Looks at every sample of the touched channels.
+  [[nodiscard]] Changes find_changes() const;
 
  private:
   void keep_ghosts(const Edit& edit);
@@ -58,6 +62,8 @@ class Document {
   std::string file_name_;
   History history_;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
+  std::map<NodeIndex, glm::dvec3> saved_offsets_;
+  std::optional<double> saved_frame_time_s_;
 };
 
 /// The length of a file unit that makes the figure's stature human: 1 m, 1 cm, 1 mm, 1 inch or the CMU unit

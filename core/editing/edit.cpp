@@ -5,17 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <tuple>
 #include <utility>
 
+#include "core/base/bits.h"
+
 namespace marey {
 namespace {
-
-template <class T>
-bool same_bits(const T& a, const T& b) {
-  return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
 
 Error refusal(DiagnosticCode code, std::string message) { return Error{code, {}, std::move(message), {}, {}}; }
 

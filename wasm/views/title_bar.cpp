@@ -49,7 +49,10 @@ float draw_file_name(ViewContext& context, float width) {
   ImGui::SetCursorScreenPos(ImVec2(dot.x - 6.0f, dot.y - 6.0f));
   ImGui::Dummy(ImVec2(12.0f, 12.0f));
   context.items.add_last("title.unsaved", "Not downloaded");
-  ui::tool_tip(context, "Not downloaded", "The clip has changes that are only in this tab. Download keeps them.", "Ctrl+S");
+  if (ImGui::IsItemHovered()) {
+    const std::string help = "Changed: " + describe(document.find_changes()) + ". This is only in this tab; Download keeps it.";
+    ui::tool_tip(context, "Not downloaded", help, "Ctrl+S");
+  }
   return name_width;
 }
 
@@ -73,6 +76,16 @@ void draw_search_box(ViewContext& context, float width) {
   context.items.add_last("help.commands", command->label);
   ui::command_tool_tip(context, *command);
   if (pressed) context.commands.run(command->id);
+}
+
+// Says beforehand in what the download will differ from the opened file.
+void draw_download(ViewContext& context, bool with_label) {
+  ui::command_button(context, "file.save", ui::ButtonLook::Primary, with_label);
+  const Document& document = context.session.document;
+  if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) || document.skeleton().joint_count() == 0) return;
+  const Changes changes = document.find_changes();
+  context.status = changes.empty() ? "The download has the same clip as the opened file."
+                                   : "The download differs in " + describe(changes) + ".";
 }
 
 float right_group_width(const ViewContext& context) {
@@ -150,7 +163,7 @@ void TitleBar::draw_wide(ViewContext& context) {
   ImGui::SameLine(0.0f, 4.0f);
   ui::command_button(context, "edit.redo");
   ImGui::SameLine(0.0f, 12.0f);
-  ui::command_button(context, "file.save", ui::ButtonLook::Primary, true);
+  draw_download(context, true);
 }
 
 void TitleBar::draw_compact(ViewContext& context) {
@@ -167,7 +180,7 @@ void TitleBar::draw_compact(ViewContext& context) {
     ImGui::SameLine(0.0f, 0.0f);
   }
   ImGui::SameLine(0.0f, 4.0f);
-  ui::command_button(context, "file.save", ui::ButtonLook::Primary);
+  draw_download(context, false);
 }
 
 void TitleBar::draw(ViewContext& context, bool compact) { compact ? draw_compact(context) : draw_wide(context); }

@@ -160,6 +160,22 @@ TEST(DocumentSave, GivesTheFileBackButForWhatWasEdited) {
   EXPECT_EQ(document.save_text(), bvh_text());
 }
 
+TEST(DocumentChanges, AreWhatADownloadWouldDifferIn) {
+  Document document(read_bvh(bvh_text()).value(), "walk.bvh");
+  EXPECT_TRUE(document.find_changes().empty());
+  ASSERT_TRUE(document.apply(make_sample_edit(document.clip(), kCurve, 1, 45.5)));
+  EXPECT_EQ(describe(document.find_changes()), "1 sample in 1 channel, frame 2");
+  ASSERT_TRUE(document.apply(make_sample_edit(document.clip(), 0, 2, 1.0)));
+  ASSERT_TRUE(document.apply(make_offset_edit(document.clip(), 0, {1.0, 2.0, 3.5})));
+  ASSERT_TRUE(document.apply(make_frame_time_edit(0.02)));
+  EXPECT_EQ(describe(document.find_changes()), "2 samples in 2 channels, frames 2 to 3; 1 offset; the frame time");
+  while (document.undo()) continue;
+  EXPECT_EQ(describe(document.find_changes()), "nothing");
+  while (document.redo()) continue;
+  document.mark_saved();
+  EXPECT_TRUE(document.find_changes().empty());
+}
+
 TEST(DocumentSave, KeepsTheBitsOfEveryEditedSample) {
   Document document(read_bvh(bvh_text()).value(), "walk.bvh");
   const SampleSelection all = selected(kCurve, {0, 3});
