@@ -4,78 +4,14 @@
 #include <map>
 
 #include "core/base/index.h"
+#include "core/bvh/comma_habit.h"
 #include "core/bvh/format_guess.h"
-#include "core/bvh/motion_header.h"
 
 namespace marey {
 namespace {
 
 constexpr int kMostLines = 32;
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
-
-/// The first lines that hold values, without their line ends.
-std::vector<std::string_view> sample_lines(std::string_view rows) {
-  std::vector<std::string_view> lines;
-  rows = rows.substr(0, kMostBytes);
-  while (!rows.empty() && size_of(lines) < kMostLines) {
-    const std::string_view line = first_line(rows);
-    const bool cut_by_limit = line.size() == rows.size() && rows.size() == kMostBytes;
-    const std::string_view content = trimmed(line);
-    if (!content.empty() && !starts_like_number(content.substr(0, content.find_first_of(" \t")))) break;
-    if (!content.empty() && !(cut_by_limit && !lines.empty())) lines.push_back(line);
-    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
-  }
-  return lines;
-}
-
-/// The line of the first comma, if it holds nothing but numbers.
-std::string_view find_line_with_comma(std::string_view rows) {
-  const std::size_t comma = rows.find_first_of(",;");
-  if (comma == std::string_view::npos) return {};
-  const std::size_t line_end = rows.substr(0, comma).find_last_of("\r\n");
-  const std::string_view line = first_line(rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1));
-  return line.find_first_not_of("0123456789+-.eE,; \t") == std::string_view::npos ? line : std::string_view();
-}
-
-struct RowCensus {
-  std::int64_t lines = 0;  ///< that hold values
-  std::int64_t values = 0;
-};
-
-RowCensus take_census(std::string_view rows, const NumberLook& look) {
-  RowCensus census;
-  while (!rows.empty()) {
-    const std::string_view line = first_line(rows);
-    const int values = count_values(line, look);
-    census.lines += values > 0 ? 1 : 0;
-    census.values += values;
-    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
-  }
-  return census;
-}
-
-/// How well the rows fit the channels when their commas are understood in one way; `line` is one with commas.
-int fit_of(const NumberLook& look, std::string_view rows, std::string_view line, int channel_count,
-           std::optional<std::int64_t> declared) {
-  if (declared && take_census(rows, look).values == *declared * channel_count) return 2;
-  return count_values(line, look) % channel_count == 0 ? 1 : 0;
-}
-
-/// Decides what commas mean. They can be decimal signs only if no number has a point.
-NumberLook find_look(std::string_view rows, const std::vector<std::string_view>& lines, int channel_count,
-                     std::optional<std::int64_t> declared) {
-  const std::string_view line = find_line_with_comma(rows);
-  if (line.empty()) return {};
-  const auto has_point = [](std::string_view text) { return text.find('.') != std::string_view::npos; };
-  const NumberLook decimal{',', false};
-  const NumberLook separated{'.', true};
-  const int separated_fit = fit_of(separated, rows, line, channel_count, declared);
-  if (!has_point(line) && std::none_of(lines.begin(), lines.end(), has_point)) {
-    return fit_of(decimal, rows, line, channel_count, declared) >= separated_fit ? decimal : separated;
-  }
-  const bool among_first = !lines.empty() && line.data() <= lines.back().data();
-  return separated_fit > 0 || among_first ? separated : NumberLook{};
-}
 
 /// The number of values that at least half of the lines have, `channel_count` in doubt; 0 if there is none.
 int usual_value_count(const std::vector<std::string_view>& lines, int channel_count, const NumberLook& look) {
@@ -161,8 +97,8 @@ MotionSurvey survey_rows(std::string_view rows, int channel_count, std::optional
   MotionSurvey survey;
   survey.columns.resize(idx(channel_count));
   survey.columns.front().gap = line_end;
-  const std::vector<std::string_view> lines = sample_lines(rows);
-  survey.look = find_look(rows, lines, channel_count, declared_frames);
+  const std::vector<std::string_view> lines = find_value_lines(rows, channel_count, kMostLines);
+  survey.look = find_comma_habit(rows, lines, channel_count, declared_frames);
   survey.values_per_line = usual_value_count(lines, channel_count, survey.look);
   if (survey.values_per_line != channel_count && !lines.empty()) {
     survey.layout = judge_odd_lines(rows, survey, channel_count, declared_frames);
