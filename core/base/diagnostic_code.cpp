@@ -33,6 +33,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::ChannelCountMismatch, "channel_count_mismatch", Severity::Warning, true},
     {Code::RepeatedChannel, "repeated_channel", Severity::Note, false},
     {Code::RepeatedChannelsLine, "repeated_channels_line", Severity::Warning, true},
+    {Code::ScaleChannel, "scale_channel", Severity::Warning, false},
     {Code::RepeatedOffset, "repeated_offset", Severity::Warning, true},
     {Code::MissingOffset, "missing_offset", Severity::Warning, true},
     {Code::MissingChannels, "missing_channels", Severity::Warning, true},
@@ -48,6 +49,8 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::MissingMotion, "missing_motion", Severity::Warning, true},
     {Code::MissingFrameCount, "missing_frame_count", Severity::Warning, true},
     {Code::MissingFrameTime, "missing_frame_time", Severity::Warning, true},
+    {Code::RepeatedFrameCount, "repeated_frame_count", Severity::Warning, true},
+    {Code::RepeatedFrameTime, "repeated_frame_time", Severity::Warning, true},
     {Code::FrameCountMismatch, "frame_count_mismatch", Severity::Warning, true},
     {Code::PartialFrame, "partial_frame", Severity::Error, true},
     {Code::RowLength, "row_length", Severity::Warning, true},
@@ -73,8 +76,6 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::LimitChannels, "limit_channels", Severity::Error, true},
     {Code::InvalidSkeleton, "invalid_skeleton", Severity::Error, true},
     {Code::InvalidArgument, "invalid_argument", Severity::Error, true},
-    {Code::NothingSelected, "nothing_selected", Severity::Error, true},
-    {Code::NoFrames, "no_frames", Severity::Error, true},
 }};
 
 constexpr bool rows_follow_the_enum() {

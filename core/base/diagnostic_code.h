@@ -37,6 +37,7 @@ enum class DiagnosticCode {
   ChannelCountMismatch,
   RepeatedChannel,
   RepeatedChannelsLine,
+  ScaleChannel,
   RepeatedOffset,
   MissingOffset,
   MissingChannels,
@@ -52,6 +53,8 @@ enum class DiagnosticCode {
   MissingMotion,
   MissingFrameCount,
   MissingFrameTime,
+  RepeatedFrameCount,
+  RepeatedFrameTime,
   FrameCountMismatch,
   PartialFrame,
   RowLength,
@@ -77,11 +80,9 @@ enum class DiagnosticCode {
   LimitChannels,
   InvalidSkeleton,
   InvalidArgument,
-  NothingSelected,
-  NoFrames,
 };
 
-inline constexpr int kDiagnosticCodeCount = static_cast<int>(DiagnosticCode::NoFrames) + 1;
+inline constexpr int kDiagnosticCodeCount = static_cast<int>(DiagnosticCode::InvalidArgument) + 1;
 
 /// What is fixed about a code.
 struct DiagnosticTraits {

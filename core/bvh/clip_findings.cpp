@@ -10,6 +10,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "core/base/counted.h"
 #include "core/base/index.h"
 
 namespace marey {
@@ -70,7 +71,7 @@ void note_names(const Hierarchy& hierarchy, Report& report) {
   }
 }
 
-void note_channels(const Hierarchy& hierarchy, Report& report) {
+void note_repeated_channels(const Hierarchy& hierarchy, Report& report) {
   const Skeleton& skeleton = hierarchy.skeleton;
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     std::array<int, 9> count{};
@@ -81,6 +82,19 @@ void note_channels(const Hierarchy& hierarchy, Report& report) {
                              shown(skeleton.name(joint)), channel_keyword(channel.kind)),
                  "", channel_keyword(channel.kind).data());
     }
+  }
+}
+
+void note_scale_channels(const Hierarchy& hierarchy, Report& report) {
+  const Skeleton& skeleton = hierarchy.skeleton;
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const auto channels = skeleton.channels(joint);
+    const auto scale = std::find_if(channels.begin(), channels.end(), [](const Channel& c) { return is_scale(c.kind); });
+    if (scale == channels.end()) continue;
+    report.add(DiagnosticCode::ScaleChannel, hierarchy.node_places[idx(skeleton.node_of(joint))],
+               fmt::format("'{}' has scale channels; they are kept and saved, but not applied to the figure.",
+                           shown(skeleton.name(joint))),
+               "positions and rotations", std::string(channel_keyword(scale->kind)));
   }
 }
 
@@ -153,10 +167,10 @@ void note_root_offset(const Hierarchy& hierarchy, Report& report) {
     if (skeleton.parent(joint) != kNoParent || skeleton.offset(joint) == glm::dvec3(0.0)) continue;
     const auto channels = skeleton.channels(joint);
     if (std::none_of(channels.begin(), channels.end(), [](const Channel& c) { return is_position(c.kind); })) continue;
-    report.add(DiagnosticCode::PositionsReplaceOffset, hierarchy.node_places[idx(skeleton.node_of(joint))],
-               fmt::format("The root '{}' has an OFFSET and position channels; the channels replace it. Programs that "
-                           "add both show the figure moved.",
-                           shown(skeleton.name(joint))));
+    report.add_each(DiagnosticCode::PositionsReplaceOffset, hierarchy.node_places[idx(skeleton.node_of(joint))],
+                    fmt::format("The root '{}' has an OFFSET and position channels; the channels replace it. Programs "
+                                "that add both show the figure moved.",
+                                shown(skeleton.name(joint))));
   }
 }
 
@@ -177,7 +191,8 @@ void note_tree_habits(const Hierarchy& hierarchy, Report& report) {
   }
   note_ends(hierarchy, report);
   note_names(hierarchy, report);
-  note_channels(hierarchy, report);
+  note_repeated_channels(hierarchy, report);
+  note_scale_channels(hierarchy, report);
 }
 
 void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& report) {
@@ -202,15 +217,17 @@ PositionRule find_position_rule(const Hierarchy& hierarchy, const Motion& motion
   const std::size_t place = hierarchy.node_places[idx(votes.first_node)];
   if (votes.add > 0 && votes.replace > 0) {
     report.add(DiagnosticCode::PositionsAmbiguous, place,
-               fmt::format("The positions of {} joints look as if they replace OFFSET, those of {} as if they add to it; "
-                           "they {} for all.",
-                           votes.replace, votes.add, rule == PositionRule::Add ? "add" : "replace"));
+               fmt::format("The positions of {} look as if they replace OFFSET, those of {} as if they add to it; they {} "
+                           "for all.",
+                           counted(votes.replace, "joint"), counted(votes.add, "joint"),
+                           rule == PositionRule::Add ? "are added to it" : "replace it"));
   } else if (rule == PositionRule::Add) {
     report.add(DiagnosticCode::PositionsAddToOffset, place,
-               fmt::format("The position channels of {} joints stay near 0; they are added to OFFSET.", votes.add));
+               fmt::format("The position channels of {} stay near 0; they are added to OFFSET.", counted(votes.add, "joint")));
   } else {
-    report.add(DiagnosticCode::PositionsReplaceOffset, place,
-               fmt::format("{} joints below the root have position channels; they replace OFFSET.", votes.replace));
+    report.add_each(DiagnosticCode::PositionsReplaceOffset, place,
+                    fmt::format("The position channels of {} below the root stay near OFFSET; they replace it.",
+                                counted(votes.replace, "joint")));
   }
   return rule;
 }

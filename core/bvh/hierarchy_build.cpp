@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/index.h"
 #include "core/bvh/nesting_repair.h"
 #include "core/skeleton/skeleton_builder.h"
@@ -172,13 +173,14 @@ void HierarchyBuilder::close_all(std::size_t place, bool at_end) {
   const auto missing = open_is_joint_.size();
   if (at_end) {
     report_.add(DiagnosticCode::UnexpectedEnd, place,
-                fmt::format("The file ends inside the hierarchy: {} '}}' are missing and were added. Joints behind this "
-                            "place are lost.",
-                            missing),
+                fmt::format("The file ends inside the hierarchy: {} '}}' {} missing and added. Joints behind this place are "
+                            "lost.",
+                            missing, missing == 1 ? "was" : "were"),
                 "}", "the end of the file");
   } else {
     report_.add_each(DiagnosticCode::MissingClosingBrace, place,
-                     fmt::format("{} '}}' are missing before this place; they were added.", missing), "}",
+                     fmt::format("{} '}}' {} missing before this place and added.", missing, missing == 1 ? "was" : "were"),
+                     "}",
                      shown(TextCursor(text_, place).peek_word()));
   }
   while (builder_.open_depth() > 0) builder_.close_joint();

@@ -45,6 +45,7 @@ class HierarchyParser {
   bool seen_keyword_ = false;
   int joints_ = 0;
   int end_sites_ = 0;
+  int nameless_blocks_ = 0;
   int channels_ = 0;
 };
 
@@ -225,6 +226,11 @@ void HierarchyParser::open_brace() {
   result_.needs_printing = true;
   report_.add_each(DiagnosticCode::UnexpectedToken, place, "'{' opens a block that no JOINT announces; it was passed over.",
                    "OFFSET, CHANNELS, JOINT, End Site or '}'", "{");
+  if (++nameless_blocks_ > limits_.max_joints) {
+    report_.fail(DiagnosticCode::LimitJoints, place,
+                 fmt::format("The file has more than {} blocks that no JOINT announces, which is the limit.",
+                             limits_.max_joints));
+  }
   result_.events.push_back({kNamelessBlock, 0, place});
   push_open(kNamelessBlock, place);
 }

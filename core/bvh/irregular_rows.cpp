@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/counted.h"
 #include "core/bvh/motion_header.h"
 #include "core/bvh/row_reader.h"
 
@@ -27,10 +28,11 @@ bool holds_only_numbers(std::string_view text, int most, const NumberLook& look)
 bool RowReader::read_irregular_row() {
   bool line_ends = false;
   const char* p = skip_gap(at_, line_ends);
-  if (report_.failed() || p == end_ || ends_here(p)) return false;
+  if (report_.failed() || p == end_) return false;
   const bool within_line = frames() > 0 && !line_ends && survey_.layout != RowLayout::Stream;
   const bool shares_line = within_line && shared_line_end_ != nullptr && p < shared_line_end_;
   if (within_line && !shares_line && settle_line_remainder(p)) return true;
+  if (ends_here(p)) return false;
   const RowPlan plan = plan_row(p, within_line);
   if (plan.partial) {
     drop_partial_row(plan, p);
@@ -62,7 +64,7 @@ const char* RowReader::skip_gap(const char* p, bool& line_ends) {
 /// True if what stands at `p`, where a row may begin, is not a row but text behind the motion.
 bool RowReader::ends_here(const char* p) {
   if (!starts_like_number(word_at(p))) {
-    const bool may_be_row = input_.declared_frames && !all_declared_read();
+    const bool may_be_row = input_.declared_frames ? !all_declared_read() : frames() == 0;
     return !may_be_row || count_values(first_line(rest(p)), survey_.look) != channel_count_;
   }
   if (!all_declared_read()) return false;
@@ -71,13 +73,38 @@ bool RowReader::ends_here(const char* p) {
   const int count = count_values(line, survey_.look);
   const bool cut_off = count < channel_count_ && trimmed(rest(p + line.size())).empty();
   const bool fits = count % channel_count_ == 0 || count == survey_.values_per_line || cut_off;
-  return !fits || !holds_only_numbers(line, count, survey_.look);
+  return !fits || !holds_only_numbers(line, count, survey_.look) || !surplus_rows_are_frames(p);
 }
 
-/// Values stand behind a complete row in its line. Either they are whole frames, or they are left out (true).
+/// Judges the lines of numbers behind the declared frames: frames, if more of them fit the channels, from the first one
+/// on, than there are others behind. Lists of varying length, in which one fits by chance, are not.
+bool RowReader::surplus_rows_are_frames(const char* p) {
+  if (keeps_surplus_rows_) return *keeps_surplus_rows_;
+  int fitting = 0;
+  int others = 0;
+  std::string_view left = rest(p);
+  while (!left.empty()) {
+    const std::string_view line = first_line(left);
+    const int count = count_values(line, survey_.look);
+    const bool fits = count % channel_count_ == 0 || count == survey_.values_per_line;
+    const bool is_last = trimmed(left.substr(line.size())).empty();
+    if (count > 0 && holds_only_numbers(line, count, survey_.look)) {
+      if (fits && others == 0) ++fitting;
+      if (!fits && !is_last) ++others;
+      if (!fits && is_last && count > channel_count_) ++others;
+    }
+    left.remove_prefix(std::min(left.size(), line.size() + 1));
+  }
+  keeps_surplus_rows_ = fitting > others || others == 0;
+  return *keeps_surplus_rows_;
+}
+
+/// Values stand behind a complete row in its line. Either they are whole frames, or they are left out (true). Behind the
+/// last declared row they can also be text, which begins with a word.
 bool RowReader::settle_line_remainder(const char* p) {
   const std::string_view line = first_line(rest(p));
   const int count = count_values(line, survey_.look);
+  if (count == 0 || (all_declared_read() && !holds_only_numbers(line, count, survey_.look))) return false;
   if (survey_.layout == RowLayout::LinePerFrame && count % channel_count_ == 0) {
     shared_line_end_ = line.data() + line.size();
     return false;
@@ -213,7 +240,7 @@ void RowReader::drop_partial_row(const RowPlan& plan, const char* p) {
   repaired_ = true;
   report_.add(DiagnosticCode::PartialFrame, offset_of(p),
               fmt::format("The last row has {} of {} values; it was dropped.", plan.value_count, channel_count_),
-              fmt::format("{} values", channel_count_), fmt::format("{} values", plan.value_count));
+              counted(channel_count_, "value"), counted(plan.value_count, "value"));
   at_ = rest(p).data() + trimmed(rest(p)).size();
 }
 
@@ -225,8 +252,8 @@ void RowReader::report_row_length(const char* p, int found) {
   const std::string_view repair = surplus ? "the surplus ones were left out"
                                           : "the missing ones were taken from the frame before (0 in the first frame)";
   report_.add(code, offset_of(p),
-              fmt::format("This row has {} values for {} channels; {}.", found, channel_count_, repair),
-              fmt::format("{} values", channel_count_), fmt::format("{} values", found));
+              fmt::format("This row has {} for {}; {}.", counted(found, "value"), counted(channel_count_, "channel"), repair),
+              counted(channel_count_, "value"), counted(found, "value"));
 }
 
 }  // namespace marey

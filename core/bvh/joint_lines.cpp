@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/counted.h"
 #include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/bvh/keyword.h"
@@ -22,6 +23,7 @@ class OffsetReader {
  private:
   bool read_value();
   void read_word_as_number(std::string_view word);
+  void report_as_zero(std::string_view word, const NumberRead& number);
   void check_what_follows();
   void keep(std::size_t begin, std::size_t length, double value);
 
@@ -87,25 +89,35 @@ void OffsetReader::read_word_as_number(std::string_view word) {
                 fmt::format("'{}' has a decimal comma, which was read as a point.", shown(word)), "a decimal point",
                 shown(word));
   }
-  if (is_not_finite_text(word) || !std::isfinite(number.value)) {
-    result_.repaired = true;
-    report_.add_each(DiagnosticCode::NotFinite, place, fmt::format("The offset '{}' was read as 0.", shown(word)),
-                     "a finite number", shown(word));
+  const bool is_word = is_not_finite_text(word) || number.length == 0;
+  if (is_word || number.out_of_range) report_as_zero(word, number);
+  if (is_word) {
     keep(place, word.size(), 0.0);
     cursor_.move_to(place + word.size());
     return;
   }
-  if (number.length == 0) {
-    result_.repaired = true;
-    report_.add_each(DiagnosticCode::BadNumber, place, fmt::format("'{}' is not a number; 0 was used.", shown(word)),
-                     "a number", shown(word));
-    keep(place, word.size(), 0.0);
-    cursor_.move_to(place + word.size());
-    return;
-  }
-  keep(place, number.length, number.value);
+  const bool is_infinite = !std::isfinite(number.value);
+  keep(place, number.length, is_infinite ? 0.0 : number.value);
   cursor_.move_to(place + number.length);
   check_what_follows();
+}
+
+/// A word, or a number that 64 bits cannot hold.
+void OffsetReader::report_as_zero(std::string_view word, const NumberRead& number) {
+  const std::size_t place = cursor_.offset();
+  // Zero stays the reading of a number that is too small, so its text can stand.
+  if (number.value != 0.0 || number.length == 0 || is_not_finite_text(word)) result_.repaired = true;
+  if (is_not_finite_text(word)) {
+    report_.add_each(DiagnosticCode::NotFinite, place, fmt::format("The offset '{}' was read as 0.", shown(word)),
+                     "a finite number", shown(word));
+  } else if (number.length == 0) {
+    report_.add_each(DiagnosticCode::BadNumber, place, fmt::format("'{}' is not a number; 0 was used.", shown(word)),
+                     "a number", shown(word));
+  } else {
+    report_.add_each(DiagnosticCode::NumberRange, place,
+                     fmt::format("The offset '{}' does not fit into a number of 64 bits and was read as 0.", shown(word)),
+                     "a number of 64 bits", shown(word));
+  }
 }
 
 void OffsetReader::check_what_follows() {
@@ -167,13 +179,13 @@ ChannelsRead read_channel_names(TextCursor& cursor, int most, Report& report) {
     read.channels.push_back({kind.value_or(ChannelKind::Other), word});
     check_channel_spelling(read.channels.back(), place, report);
   }
-  const auto found = static_cast<double>(read.channels.size());
-  if (declared == found) return read;
+  if (declared == static_cast<double>(read.channels.size())) return read;
+  const std::string found = counted(size_of(read.channels), "channel");
   read.repaired = true;
   report.add_each(DiagnosticCode::ChannelCountMismatch, begin,
-                  fmt::format("CHANNELS announces {} channels and names {}; the names are used.",
-                              declared ? fmt::format("{}", *declared) : std::string("no usable number of"), found),
-                  fmt::format("{} names", declared.value_or(0.0)), fmt::format("{} names", found));
+                  fmt::format("CHANNELS announces {} and names {}; the names are used.",
+                              declared ? fmt::format("{}", *declared) : std::string("no usable count"), found),
+                  fmt::format("{}", declared.value_or(0.0)), found);
   return read;
 }
 

@@ -15,13 +15,14 @@ struct MotionHeader {
   std::optional<std::int64_t> declared_frames;  ///< as written, not checked against the rows; >= 0
   double frame_time_s = 1.0 / 30.0;             ///< to use: > 0 and finite
   NumberSlot frame_count_slot;
-  NumberSlot frame_time_slot{0, 0, 1.0 / 30.0};
+  NumberSlot frame_time_slot{0, 0, 1.0 / 30.0};  ///< its value is frame_time_s, whatever the text says
   std::size_t data_begin = 0;   ///< the first sample, or the end of the text
   bool needs_printing = false;  ///< a part is missing
 };
 
-/// Reads MOTION, Frames: and Frame Time: in any order and spacing; each may be missing.
-[[nodiscard]] MotionHeader read_motion_header(TextCursor& cursor, Report& report);
+/// Reads MOTION, Frames: and Frame Time: in any order and spacing; each may be missing. A line of `channel_count` words,
+/// some of them numbers, is the first row even if it begins with a word.
+[[nodiscard]] MotionHeader read_motion_header(TextCursor& cursor, int channel_count, Report& report);
 
 /// True for what can begin a sample: a digit, sign or point, or a spelling of "not a number".
 [[nodiscard]] bool starts_like_number(std::string_view word);

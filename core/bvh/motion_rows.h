@@ -20,6 +20,7 @@ struct RowsInput {
   std::optional<std::int64_t> declared_frames;
   std::size_t declared_place = 0;
   std::string_view line_end = "\n";
+  std::int64_t text_bytes = 0;  ///< memory that the text takes, its conversion included
 };
 
 struct MotionRows {

@@ -4,20 +4,25 @@
 
 #include <algorithm>
 
+#include "core/base/counted.h"
 #include "core/base/index.h"
 #include "core/base/number_text.h"
 
 namespace marey {
 namespace {
 
-using Words = std::vector<std::string>;
+struct Word {
+  std::string text;
+  double value = 0.0;
+};
+using Words = std::vector<Word>;
 
 OffsetReading reading_of(const Words& words) {
   OffsetReading reading;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::string word = axis < size_of(words) ? words[idx(axis)] : "0";
-    reading.offset[axis] = read_number(word).value;
-    reading.text += (axis > 0 ? " " : "") + word;
+    const Word word = axis < size_of(words) ? words[idx(axis)] : Word{"0", 0.0};
+    reading.offset[axis] = word.value;
+    reading.text += (axis > 0 ? " " : "") + word.text;
   }
   return reading;
 }
@@ -36,8 +41,13 @@ Words joined(const Words& words, unsigned joints) {
       continue;
     }
     const bool overlaps = (joints >> (i + 1) & 1U) != 0;
-    if (overlaps || !is_whole(words[idx(i)], true) || !is_whole(words[idx(i + 1)], false)) return {};
-    result.push_back(words[idx(i)] + "." + words[idx(i + 1)]);
+    const std::string& before = words[idx(i)].text;
+    const std::string& behind = words[idx(i + 1)].text;
+    if (overlaps || !is_whole(before, true) || !is_whole(behind, false)) return {};
+    const std::string text = before + "." + behind;
+    const NumberRead number = read_number(text);
+    if (number.out_of_range) return {};
+    result.push_back({text, number.value});
     ++i;
   }
   return result;
@@ -59,7 +69,7 @@ void add_joined_readings(const Words& words, std::vector<OffsetReading>& reading
 
 void add_readings_without_a_zero(const Words& words, std::vector<OffsetReading>& readings) {
   for (int i = 0; i < size_of(words); ++i) {
-    if (read_number(words[idx(i)]).value != 0.0) continue;
+    if (words[idx(i)].value != 0.0) continue;
     Words rest = words;
     rest.erase(rest.begin() + i);
     add_if_new(reading_of(rest), readings);
@@ -70,7 +80,7 @@ void add_readings_without_a_zero(const Words& words, std::vector<OffsetReading>&
 
 std::vector<OffsetReading> find_offset_readings(std::string_view text, const OffsetRead& offset) {
   Words words;
-  for (const NumberSlot& slot : offset.values) words.emplace_back(text.substr(slot.begin, slot.length));
+  for (const NumberSlot& slot : offset.values) words.push_back({std::string(text.substr(slot.begin, slot.length)), slot.value});
   std::vector<OffsetReading> readings;
   const bool all_seen = offset.count == size_of(words);
   if (all_seen && offset.count > 3) add_joined_readings(words, readings);
@@ -82,8 +92,9 @@ std::vector<OffsetReading> find_offset_readings(std::string_view text, const Off
 void report_offset_reading(std::string_view owner, std::size_t place, int value_count, const OffsetReading& reading,
                            Report& report) {
   report.add_each(DiagnosticCode::OffsetValueCount, place,
-                  fmt::format("The OFFSET of {} has {} values; it was read as {}.", owner, value_count, reading.text),
-                  "3 values", fmt::format("{} values", value_count));
+                  fmt::format("The OFFSET of {} has {}; it was read as {}.", owner, counted(value_count, "value"),
+                              reading.text),
+                  "3 values", counted(value_count, "value"));
 }
 
 }  // namespace marey

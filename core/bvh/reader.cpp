@@ -49,18 +49,25 @@ HeaderStyle learn_header_style(std::string_view text, const HierarchyText& hiera
 
 class BvhReader {
  public:
-  BvhReader(const DecodedText& decoded, std::string_view whole_text, const ReadOptions& options, Report& report)
-      : text_(decoded.text), whole_text_(whole_text), begin_(decoded.begin), options_(options), report_(report) {}
+  BvhReader(const DecodedText& decoded, std::string_view bytes, const ReadOptions& options, Report& report)
+      : text_(decoded.text),
+        whole_text_(decoded.encoding == TextEncoding::Bytes ? bytes : std::string_view(decoded.converted)),
+        text_bytes_(static_cast<std::int64_t>(bytes.size() + decoded.converted.capacity())),
+        begin_(decoded.begin),
+        options_(options),
+        report_(report) {}
 
   BvhClip read();
 
  private:
   void read_hierarchy(TextCursor& cursor);
   void read_motion();
+  void report_tail(std::size_t rows_end);
   void keep_style(MotionRows& rows);
 
   std::string_view text_;
   std::string_view whole_text_;  ///< with NUL bytes at its end
+  std::int64_t text_bytes_;      ///< memory that it takes
   std::size_t begin_;
   const ReadOptions& options_;
   Report& report_;
@@ -73,7 +80,7 @@ BvhClip BvhReader::read() {
   TextCursor cursor(text_, begin_);
   read_hierarchy(cursor);
   if (report_.failed()) return {};
-  header_ = read_motion_header(cursor, report_);
+  header_ = read_motion_header(cursor, hierarchy_.skeleton.channel_count(), report_);
   if (report_.failed()) return {};
   read_motion();
   if (report_.failed()) return {};
@@ -100,20 +107,34 @@ void BvhReader::read_motion() {
   input.declared_frames = header_.declared_frames;
   input.declared_place = header_.frame_count_slot.begin;
   input.line_end = clip_.style.header.line_end;
+  input.text_bytes = text_bytes_;
   MotionRows rows = read_motion_rows(input, options_.limits, report_);
   if (report_.failed()) return;
-  const std::string_view behind = trimmed(text_.substr(rows.end));
-  if (!behind.empty()) {
-    report_.add(DiagnosticCode::TextAfterMotion, static_cast<std::size_t>(behind.data() - text_.data()),
-                fmt::format("The text behind the motion, beginning with '{}', is kept as it is.",
-                            shown(TextCursor(behind, 0).take_word())),
-                "the end of the file", shown(behind));
-  }
+  report_tail(rows.end);
   keep_style(rows);
+  if (report_.failed()) return;
   clip_.motion = Motion(skeleton.channel_count(), rows.frame_count, header_.frame_time_s, std::move(rows.samples));
 }
 
+void BvhReader::report_tail(std::size_t rows_end) {
+  const std::string_view behind = trimmed(text_.substr(rows_end));
+  if (behind.empty()) return;
+  report_.add(DiagnosticCode::TextAfterMotion, static_cast<std::size_t>(behind.data() - text_.data()),
+              fmt::format("The text behind the motion, beginning with '{}', is kept as it is.",
+                          shown(TextCursor(behind, 0).take_word())),
+              "the end of the file", shown(behind));
+}
+
+/// Keeps copies of what stands before and behind the rows.
 void BvhReader::keep_style(MotionRows& rows) {
+  const std::size_t copied = header_.data_begin + whole_text_.size() - rows.end;
+  const std::size_t sample_bytes = rows.samples.size() * sizeof(double);
+  const std::int64_t all_bytes = text_bytes_ + static_cast<std::int64_t>(copied + sample_bytes);
+  if (all_bytes > options_.limits.max_bytes) {
+    report_.fail(DiagnosticCode::LimitMemory, rows.end,
+                 fmt::format("The file needs {} bytes of memory; the limit is {}.", all_bytes, options_.limits.max_bytes));
+    return;
+  }
   BvhStyle& style = clip_.style;
   style.motion = std::move(rows.style);
   style.motion.tail = whole_text_.substr(rows.end);
@@ -130,12 +151,17 @@ void BvhReader::keep_style(MotionRows& rows) {
 Result<BvhClip> read_bvh(std::string_view text, const ReadOptions& options) {
   DecodedText decoded;
   Report encoding_report(text, options.strict);
+  if (static_cast<std::int64_t>(text.size()) > options.limits.max_bytes) {
+    encoding_report.fail_without_place(
+        DiagnosticCode::LimitMemory,
+        fmt::format("The file has {} bytes; the limit is {}. Split the file.", text.size(), options.limits.max_bytes));
+    return encoding_report.error();
+  }
   decode_text(text, decoded, encoding_report);
   if (encoding_report.failed()) return encoding_report.error();
-  const bool converted = decoded.encoding != TextEncoding::Bytes;
   Report report(decoded.text, options.strict);
   report.take_over(encoding_report.take_diagnostics());
-  BvhClip clip = BvhReader(decoded, converted ? std::string_view(decoded.converted) : text, options, report).read();
+  BvhClip clip = BvhReader(decoded, text, options, report).read();
   if (report.failed()) return report.error();
   clip.style.encoding = decoded.encoding;
   clip.diagnostics = report.take_diagnostics();

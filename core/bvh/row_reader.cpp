@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/base/plain_number.h"
+#include "core/bvh/comma_habit.h"
 
 namespace marey {
 namespace {
@@ -17,22 +19,43 @@ std::size_t odd_token_bytes(std::int64_t frames, int channel_count) {
   return std::size_t{512} * 1024 + samples * sizeof(double) / 12;
 }
 
-/// Frames to make room for: as declared where that is believable, else what the bytes can hold.
+/// Frames to make room for: as declared where that is believable, else what rows like the first ones make.
 std::int64_t expected_frames(const RowsInput& input, const MotionSurvey& survey, std::int64_t most_frames) {
   const std::string_view rows = input.text.substr(input.data_begin);
   const auto shortest_row = static_cast<std::int64_t>(2) * input.channel_count;
   const auto held = static_cast<std::int64_t>(rows.size()) / shortest_row + 1;
   const double likely = survey.bytes_per_row > 0.0 ? static_cast<double>(rows.size()) / survey.bytes_per_row : 0.0;
   const std::int64_t declared = input.declared_frames.value_or(held);
-  const bool believable = input.declared_frames && static_cast<double>(declared) <= 2.0 * likely + 16.0;
-  const std::int64_t wanted =
-      believable ? declared : std::min<std::int64_t>(std::count(rows.begin(), rows.end(), '\n') + 1, declared);
-  return std::min({wanted, held, most_frames});
+  const auto declared_as_real = static_cast<double>(declared);
+  const bool believable =
+      input.declared_frames && declared_as_real <= 2.0 * likely + 16.0 && declared_as_real >= 0.5 * likely - 16.0;
+  if (believable) return std::min({declared, held, most_frames});
+  if (likely > 0.0) return std::min({static_cast<std::int64_t>(1.02 * likely) + 1, held, most_frames});
+  const std::int64_t lines = std::count(rows.begin(), rows.end(), '\n') + 1;
+  return std::min({lines, held, most_frames});
 }
 
-std::int64_t frame_limit(const RowsInput& input, const ReadLimits& limits) {
-  const std::int64_t row_bytes = static_cast<std::int64_t>(sizeof(double)) * input.channel_count;
-  return std::min<std::int64_t>(limits.max_frames, limits.max_sample_bytes / row_bytes);
+std::int64_t sample_budget(const RowsInput& input, const ReadLimits& limits) {
+  return std::max<std::int64_t>(0, std::min(limits.max_sample_bytes, limits.max_bytes - input.text_bytes));
+}
+
+/// Frames that memory has room for.
+std::int64_t sample_frames(const RowsInput& input, const ReadLimits& limits) {
+  return sample_budget(input, limits) / (static_cast<std::int64_t>(sizeof(double)) * input.channel_count);
+}
+
+void fail_for_memory(const RowsInput& input, const ReadLimits& limits, std::size_t place, Report& report) {
+  report.fail(DiagnosticCode::LimitMemory, place,
+              fmt::format("The file has too many frames of {} for the {} that samples may take. Split the file.",
+                          counted(input.channel_count, "channel"), counted(sample_budget(input, limits), "byte")));
+}
+
+/// True if as many frames are both declared and there as memory has no room for: told before any memory is taken.
+bool is_surely_too_long(const RowsInput& input, const MotionSurvey& survey, std::int64_t most_frames) {
+  const std::string_view rows = input.text.substr(input.data_begin);
+  if (input.declared_frames.value_or(0) <= most_frames) return false;
+  if (2.0 * static_cast<double>(most_frames) * survey.bytes_per_row > 3.0 * static_cast<double>(rows.size())) return false;
+  return take_census(rows, survey.look).values / input.channel_count > most_frames;
 }
 
 }  // namespace
@@ -45,8 +68,9 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
       channel_count_(input.channel_count),
       at_(input.text.data() + input.data_begin),
       end_(input.text.data() + input.text.size()),
-      most_frames_(frame_limit(input, limits)),
-      store_(channel_count_, expected_frames(input, survey_, most_frames_)),
+      sample_frames_(sample_frames(input, limits)),
+      most_frames_(std::min<std::int64_t>(limits.max_frames, sample_frames_)),
+      store_(channel_count_, expected_frames(input, survey_, most_frames_), sample_frames_),
       odd_tokens_(odd_token_bytes(expected_frames(input, survey_, most_frames_), channel_count_)) {
   for (const ColumnStyle& column : survey_.columns) {
     HotColumn hot;
@@ -65,8 +89,10 @@ void RowReader::read_all() {
   while (!report_.failed()) {
     const bool predictable = frames() > 0 && !all_declared_read();
     if (!(predictable && read_predicted_row()) && !read_irregular_row()) break;
-    if (frames() > most_frames_) fail_beyond_limit();
+    if (frames() > most_frames_ || store_.is_full()) fail_beyond_limit();
   }
+  store_.flush();
+  if (store_.is_full()) fail_beyond_limit();
   if (!report_.failed()) report_frame_count();
 }
 
@@ -123,22 +149,25 @@ bool RowReader::text_is_predicted(int channel, double value, std::string_view ga
 }
 
 void RowReader::fail_beyond_limit() {
-  if (most_frames_ == limits_.max_frames) {
+  if (most_frames_ == limits_.max_frames && !store_.is_full()) {
     report_.fail(DiagnosticCode::LimitFrames, offset_of(at_),
                  fmt::format("The file has more than {} frames, which is the limit.", limits_.max_frames));
   } else {
-    report_.fail(DiagnosticCode::LimitMemory, offset_of(at_),
-                 fmt::format("The file has more than {} frames of {} channels; they need more than the limit of {} bytes.",
-                             most_frames_, channel_count_, limits_.max_sample_bytes));
+    fail_for_memory(input_, limits_, offset_of(at_), report_);
   }
 }
 
 void RowReader::report_frame_count() {
   if (!input_.declared_frames || *input_.declared_frames == frames()) return;
+  const std::int64_t surplus = frames() - *input_.declared_frames;
+  const std::string assumption =
+      surplus > 0 ? fmt::format("; the last {} taken for {}.", surplus == 1 ? "one was" : fmt::format("{} were", surplus),
+                                surplus == 1 ? "a frame like the others" : "frames like the others")
+                  : std::string("; the rows are what counts.");
   report_.add(DiagnosticCode::FrameCountMismatch, input_.declared_place,
-              fmt::format("'Frames:' says {}, the file holds {}; all {} are used.", *input_.declared_frames, frames(),
-                          frames()),
-              fmt::format("{} frames", *input_.declared_frames), fmt::format("{} frames", frames()));
+              fmt::format("'Frames:' says {}, the file holds {}{}", *input_.declared_frames, counted(frames(), "row"),
+                          assumption),
+              counted(*input_.declared_frames, "frame"), counted(frames(), "frame"));
 }
 
 MotionRows RowReader::take_result() {
@@ -157,6 +186,7 @@ MotionRows RowReader::take_result() {
 namespace {
 
 void report_commas(const RowsInput& input, const NumberLook& look, Report& report) {
+  if (look.point != ',' && !look.commas_separate) return;
   const std::size_t comma = input.text.find_first_of(",;", input.data_begin);
   if (look.point == ',') {
     std::size_t begin = comma;
@@ -164,7 +194,7 @@ void report_commas(const RowsInput& input, const NumberLook& look, Report& repor
     report.add(DiagnosticCode::DecimalComma, begin,
                "The numbers have decimal commas throughout, which were read as points; most other programs cannot read them.",
                "decimal points", shown(TextCursor(input.text, begin).peek_word()));
-  } else if (look.commas_separate) {
+  } else {
     report.add(DiagnosticCode::CommaBetweenNumbers, comma,
                "Commas stand between the numbers; they were read as blanks, most other programs cannot read them.",
                "blanks", std::string(1, input.text[comma]));
@@ -192,6 +222,11 @@ MotionRows read_motion_rows(const RowsInput& input, const ReadLimits& limits, Re
   MotionSurvey survey = survey_rows(input.text.substr(input.data_begin), input.channel_count, input.declared_frames,
                                     input.line_end);
   report_commas(input, survey.look, report);
+  const std::int64_t room = sample_frames(input, limits);
+  if (room < limits.max_frames && is_surely_too_long(input, survey, room)) {
+    fail_for_memory(input, limits, input.data_begin, report);
+    return {};
+  }
   RowReader reader(input, limits, std::move(survey), report);
   reader.read_all();
   return report.failed() ? MotionRows{} : reader.take_result();

@@ -48,6 +48,7 @@ class RowReader {
   bool read_irregular_row();
   const char* skip_gap(const char* p, bool& line_ends);
   bool ends_here(const char* p);
+  bool surplus_rows_are_frames(const char* p);
   bool settle_line_remainder(const char* p);
   RowPlan plan_row(const char* p, bool shares_line);
   RowPlan plan_short_line(const char* p, int count);
@@ -77,7 +78,9 @@ class RowReader {
   const char* at_;   ///< behind the last value
   const char* end_;
   const char* shared_line_end_ = nullptr;  ///< several frames stand in the line that ends here
+  std::int64_t sample_frames_;  ///< frames that memory has room for
   std::int64_t most_frames_;
+  std::optional<bool> keeps_surplus_rows_;  ///< once all declared frames are read: whether rows behind them are frames
   bool repaired_ = false;  ///< the rows as written are not the rows as read
   std::vector<HotColumn> hot_columns_;
   SampleStore store_;

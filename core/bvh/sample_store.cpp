@@ -14,16 +14,21 @@ int rows_per_tile(int channel_count) {
 
 }  // namespace
 
-SampleStore::SampleStore(int channel_count, std::int64_t expected_frames)
+SampleStore::SampleStore(int channel_count, std::int64_t expected_frames, std::int64_t most_frames)
     : channel_count_(channel_count),
       tile_rows_(rows_per_tile(channel_count)),
       capacity_(expected_frames),
+      most_frames_(most_frames),
       tile_(idx(tile_rows_ + 1) * idx(channel_count)),
       samples_(static_cast<std::size_t>(expected_frames) * idx(channel_count)) {}
 
 void SampleStore::flush() {
   if (rows_in_tile_ == 0) return;
-  if (flushed_ + rows_in_tile_ > capacity_) change_capacity(flushed_ + rows_in_tile_ + capacity_ / 4);
+  if (flushed_ + rows_in_tile_ > capacity_ && !grow(flushed_ + rows_in_tile_)) {
+    is_full_ = true;
+    rows_in_tile_ = 0;
+    return;
+  }
   for (int channel = 0; channel < channel_count_; ++channel) {
     const double* from = tile_.data() + row_begin(0) + channel;
     double* to = samples_.data() + static_cast<std::size_t>(channel) * static_cast<std::size_t>(capacity_) + flushed_;
@@ -32,6 +37,14 @@ void SampleStore::flush() {
   flushed_ += rows_in_tile_;
   std::copy_n(previous_row(), channel_count_, tile_.data());
   rows_in_tile_ = 0;
+}
+
+/// False if there is no room for `needed` frames beside those that are kept until they are copied.
+bool SampleStore::grow(std::int64_t needed) {
+  const std::int64_t frames = std::min(needed + capacity_ / 4, most_frames_ - capacity_);
+  if (frames < needed) return false;
+  change_capacity(frames);
+  return true;
 }
 
 void SampleStore::change_capacity(std::int64_t frames) {
@@ -54,7 +67,6 @@ void SampleStore::change_capacity(std::int64_t frames) {
 }
 
 std::vector<double> SampleStore::take_samples() {
-  flush();
   if (flushed_ != capacity_) change_capacity(flushed_);
   return std::move(samples_);
 }

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cstdint>
+#include <utility>
+
+#include "core/base/counted.h"
 
 namespace marey {
 namespace {
@@ -35,13 +38,19 @@ void append_utf8(char32_t code_point, std::string& out) {
   }
 }
 
-std::string utf8_from_utf16(std::string_view bytes, bool little_endian) {
+struct Conversion {
+  std::string utf8;
+  int lone_halves = 0;  ///< of surrogate pairs; U+FFFD stands for each
+};
+
+Conversion utf8_from_utf16(std::string_view bytes, bool little_endian) {
   const auto unit_at = [&](std::size_t at) {
     const unsigned first = byte_at(bytes, at);
     const unsigned second = byte_at(bytes, at + 1);
     return static_cast<char32_t>(little_endian ? first | second << 8 : first << 8 | second);
   };
-  std::string out;
+  Conversion result;
+  std::string& out = result.utf8;
   out.reserve(bytes.size() / 2);
   for (std::size_t at = 0; at + 1 < bytes.size(); at += 2) {
     const char32_t unit = unit_at(at);
@@ -51,10 +60,31 @@ std::string utf8_from_utf16(std::string_view bytes, bool little_endian) {
       append_utf8(0x10000 + ((unit - 0xd800) << 10) + (next - 0xdc00), out);
       at += 2;
     } else {
-      append_utf8(unit >= 0xd800 && unit < 0xe000 ? kReplacement : unit, out);
+      const bool lone = unit >= 0xd800 && unit < 0xe000;
+      result.lone_halves += lone ? 1 : 0;
+      append_utf8(lone ? kReplacement : unit, out);
     }
   }
-  return out;
+  return result;
+}
+
+void take_utf16(std::string_view bytes, bool little_endian, DecodedText& decoded, Report& report) {
+  Conversion conversion = utf8_from_utf16(bytes.substr(2), little_endian);
+  decoded.encoding = little_endian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
+  decoded.converted = std::move(conversion.utf8);
+  decoded.text = decoded.converted;
+  report.add(DiagnosticCode::Utf16Text, 0, "The file is UTF-16 and is saved so; most other programs want UTF-8.",
+             "UTF-8", "UTF-16");
+  if (conversion.lone_halves > 0) {
+    report.add(DiagnosticCode::UnexpectedToken, 0,
+               fmt::format("The file has {} without the other half; each was read as U+FFFD.",
+                           counted(conversion.lone_halves, "half UTF-16 character")),
+               "UTF-16", "half of a pair");
+  }
+  if (bytes.size() % 2 != 0) {
+    report.add(DiagnosticCode::UnexpectedEnd, 0, "The file ends within a UTF-16 character; its last byte was left out.",
+               "an even number of bytes", counted(static_cast<std::int64_t>(bytes.size()), "byte"));
+  }
 }
 
 /// The code point at `at`, which moves on; bytes that are not UTF-8 count as Latin-1.
@@ -78,13 +108,15 @@ void drop_trailing_nuls(DecodedText& decoded, Report& report) {
   if (size == decoded.text.size()) return;
   if (trimmed(decoded.text.substr(0, size)).empty()) {
     report.fail(DiagnosticCode::EmptyFile, 0,
-                fmt::format("The file holds nothing but {} NUL bytes; it was never written properly. Use another copy.",
-                            decoded.text.size()),
+                fmt::format("The file holds nothing but {}; it was never written properly. Use another copy.",
+                            counted(static_cast<std::int64_t>(decoded.text.size()), "NUL byte")),
                 "HIERARCHY", "NUL");
     return;
   }
   report.add(DiagnosticCode::TrailingNul, size,
-             fmt::format("{} NUL bytes stand behind the text; they are kept.", decoded.text.size() - size), "",
+             fmt::format("Behind the text the file goes on with {}, kept as they are.",
+                         counted(static_cast<std::int64_t>(decoded.text.size() - size), "NUL byte")),
+             "",
              "NUL bytes");
   decoded.text = decoded.text.substr(0, size);
 }
@@ -95,11 +127,7 @@ void decode_text(std::string_view bytes, DecodedText& decoded, Report& report) {
   decoded.text = bytes;
   const bool little_endian = begins_with(bytes, kUtf16LittleEndianMark);
   if (little_endian || begins_with(bytes, kUtf16BigEndianMark)) {
-    decoded.encoding = little_endian ? TextEncoding::Utf16LittleEndian : TextEncoding::Utf16BigEndian;
-    decoded.converted = utf8_from_utf16(bytes.substr(2), little_endian);
-    decoded.text = decoded.converted;
-    report.add(DiagnosticCode::Utf16Text, 0, "The file is UTF-16 and is saved so; most other programs want UTF-8.",
-               "UTF-8", "UTF-16");
+    take_utf16(bytes, little_endian, decoded, report);
   } else if (begins_with(bytes, kUtf8Mark)) {
     decoded.begin = kUtf8Mark.size();
     report.add(DiagnosticCode::ByteOrderMark, 0,

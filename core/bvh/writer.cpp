@@ -99,14 +99,16 @@ void RowWriter::write_gap(std::string_view gap) {
   }
 }
 
-/// Text behind the motion can be taken for rows when rows or header were repaired.
+/// Text behind the motion can be taken for rows or for a header when rows or header were repaired.
 bool reads_back_as(const Motion& motion, const std::string& text) {
   ReadOptions options;
   options.limits.max_frames = std::numeric_limits<int>::max();
-  options.limits.max_sample_bytes = std::numeric_limits<std::int64_t>::max();
+  if (!kAddressesAre32Bit) options.limits.max_sample_bytes = std::numeric_limits<std::int64_t>::max();
   const Result<BvhClip> again = read_bvh(text, options);
-  return again && std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
-                             again->motion.samples().end(), same_bits);
+  return again && same_bits(again->motion.frame_time_s(), motion.frame_time_s()) &&
+         again->motion.frame_count() == motion.frame_count() &&
+         std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
+                    again->motion.samples().end(), same_bits);
 }
 
 }  // namespace

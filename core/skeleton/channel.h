@@ -26,6 +26,9 @@ enum class ChannelKind : std::uint8_t {
 [[nodiscard]] constexpr bool is_rotation(ChannelKind kind) {
   return kind >= ChannelKind::Xrotation && kind <= ChannelKind::Zrotation;
 }
+[[nodiscard]] constexpr bool is_scale(ChannelKind kind) {
+  return kind >= ChannelKind::Xscale && kind <= ChannelKind::Zscale;
+}
 
 /// Axis of a position, rotation or scale channel; X for Other.
 [[nodiscard]] constexpr Axis axis_of(ChannelKind kind) {

@@ -95,6 +95,37 @@ TEST(Limits, Memory) {
   expect_limit(one_joint_file("11", repeated("1 2 3\n", 11)), limits, Code::LimitMemory, "240");
 }
 
+TEST(Limits, MemoryOfAGrowingStoreCountsBothStores) {
+  ReadLimits limits;
+  limits.max_sample_bytes = 3 * 8 * 1000;
+  const std::string growing = one_joint_file("", "1.123456789 2.123456789 3.123456789\n" + repeated("1 2 3\n", 900));
+  expect_limit(growing, limits, Code::LimitMemory, "24000");
+  limits.max_sample_bytes *= 3;
+  EXPECT_EQ(read_or_fail(growing, with_limits(limits)).motion.frame_count(), 901);
+}
+
+TEST(Limits, MemoryOfTextAndSamplesTogether) {
+  const std::string rows = one_joint_file("1000", repeated("1 2 3\n", 1000));
+  const auto needed = static_cast<std::int64_t>(rows.size()) + 1000 * 3 * 8 + 200;
+  ReadLimits limits;
+  limits.max_bytes = needed;
+  EXPECT_EQ(read_or_fail(rows, with_limits(limits)).motion.frame_count(), 1000);
+  limits.max_bytes = needed - 400;
+  expect_limit(rows, limits, Code::LimitMemory, "bytes");
+  const std::string tail = one_joint_file("1", "1 2 3\n") + repeated("notes ", 1000);
+  limits.max_bytes = static_cast<std::int64_t>(tail.size()) + 1000;
+  expect_limit(tail, limits, Code::LimitMemory, "bytes");
+  limits.max_bytes = static_cast<std::int64_t>(tail.size()) - 1;
+  EXPECT_EQ(refusal_of(tail, with_limits(limits)).code, Code::LimitMemory);
+}
+
+TEST(Limits, BlocksThatNoJointAnnounces) {
+  ReadLimits limits;
+  limits.max_joints = 10;
+  const std::string text = "HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 0 " + repeated("{ } ", 11) + "}";
+  expect_limit(text, limits, Code::LimitJoints, "10");
+}
+
 TEST(Limits, ADeclaredCountAllocatesNothingByItself) {
   // 10 million frames of 90 channels would be 7 GB.
   const std::string text = "HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 90 " + repeated("Zrotation ", 90) +

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "tests/core/bvh/bvh_texts.h"
 
@@ -39,6 +40,15 @@ TEST(PositionRule, RootOffsetThatWouldDoubleIsPointedOut) {
   const BvhClip clip = read_or_fail(two_positions("0 90 0", "0 0 0", "0 91 0 0 0 0"));
   EXPECT_EQ(clip.position_rule, PositionRule::Replace);
   expect_finding(clip, Code::PositionsReplaceOffset, {2, 1});
+}
+
+TEST(PositionRule, RootAndJointsAreToldApart) {
+  const BvhClip clip = read_or_fail(two_positions("0 90 0", "0 10 0", "0 91 0 0.5 10.5 0"));
+  std::vector<TextPlace> places;
+  for (const Diagnostic& finding : clip.diagnostics.list()) {
+    if (finding.code == Code::PositionsReplaceOffset) places.push_back(finding.place);
+  }
+  EXPECT_EQ(places, (std::vector<TextPlace>{{2, 1}, {6, 1}})) << listing(clip);
 }
 
 TEST(PositionRule, JointsThatDisagreeAreAWarning) {

@@ -68,6 +68,8 @@ std::vector<Offence> motion_offences() {
       {Code::MissingMotion, hierarchy},
       {Code::MissingFrameCount, hierarchy + "MOTION\nFrame Time: 0.1\n1 2 3\n"},
       {Code::MissingFrameTime, hierarchy + "MOTION\nFrames: 1\n1 2 3\n"},
+      {Code::RepeatedFrameCount, hierarchy + "MOTION\nFrames: 1\nFrames: 1\nFrame Time: 0.1\n1 2 3\n"},
+      {Code::RepeatedFrameTime, hierarchy + "MOTION\nFrames: 1\nFrame Time: 0.1\nFrame Time: 0.2\n1 2 3\n"},
       {Code::FrameTimeNotPositive, hierarchy + "MOTION\nFrames: 1\nFrame Time: 0\n1 2 3\n"},
       {Code::FrameCountMismatch, one_joint_file("3", "1 2 3\n")},
       {Code::PartialFrame, one_joint_file("1", "1 2 3\n4 5")},
@@ -121,8 +123,7 @@ TEST(StrictReading, HasATestForEveryRepair) {
   // Refusals of any reading, and Utf16Text, which has its own test.
   const std::set<Code> elsewhere = {Code::NotBvh, Code::EmptyFile, Code::UnsupportedEncoding, Code::Utf16Text,
                                     Code::MissingRoot, Code::LimitJoints, Code::LimitDepth, Code::LimitFrames,
-                                    Code::LimitMemory, Code::LimitChannels, Code::InvalidSkeleton, Code::InvalidArgument,
-                                    Code::NothingSelected, Code::NoFrames};
+                                    Code::LimitMemory, Code::LimitChannels, Code::InvalidSkeleton, Code::InvalidArgument};
   std::set<Code> tested = elsewhere;
   for (const Offence& offence : hierarchy_offences()) tested.insert(offence.code);
   for (const Offence& offence : motion_offences()) tested.insert(offence.code);
