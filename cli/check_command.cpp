@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "cli/channel_limits.h"
+#include "cli/clip_json.h"
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/report.h"
+#include "core/base/counted.h"
 
 namespace marey::cli {
 namespace {
@@ -49,12 +51,14 @@ std::string verdict(const std::string& file, const BvhClip& clip, const std::vec
 
 ExitCode run_check(const CheckOptions& options) {
   const std::string& file = options.input.file;
-  const std::optional<BvhClip> clip = read_clip(file, options.input.strict);
+  const std::optional<BvhClip> clip = read_clip(options.input);
   if (!clip) return ExitCode::BadInput;
   const std::optional<std::vector<Violation>> violations = check_limits(options.limits_file, *clip);
   if (!violations) return ExitCode::BadInput;
-  report_diagnostics(file, clip->diagnostics);
-  if (!write_bytes("-", verdict(file, *clip, *violations))) return ExitCode::BadInput;
+  if (!options.input.as_json) report_diagnostics(file, clip->diagnostics);
+  const std::string text =
+      options.input.as_json ? check_json(*clip, *violations) : verdict(file, *clip, *violations);
+  if (!write_bytes("-", text)) return ExitCode::BadInput;
   const bool is_good = violations->empty() && clip->diagnostics.count(Severity::Error) == 0;
   return is_good ? ExitCode::Done : ExitCode::CheckFailed;
 }
@@ -67,6 +71,7 @@ void add_check_command(CLI::App& program, ExitCode& exit_code) {
   add_input(*command, options->input);
   command->add_option("--limits", options->limits_file,
                       R"(JSON file: {"limits": [{"channel": "LeftKnee Xrotation", "min": 0, "max": 140}]})");
+  command->add_flag("--json", options->input.as_json, "As JSON, the findings included");
   command->callback([options, &exit_code] { exit_code = run_check(*options); });
 }
 

@@ -46,7 +46,36 @@ Json diagnostics_json(const Diagnostics& diagnostics) {
   return list;
 }
 
+Json violation_json(const Skeleton& skeleton, const Violation& violation) {
+  return {{"channel", channel_label(skeleton, violation.channel)},
+          {"first_frame", violation.frames.first + 1},
+          {"last_frame", violation.frames.end()},
+          {"side", violation.is_above ? "above" : "below"},
+          {"limit", violation.limit},
+          {"worst", violation.worst},
+          {"worst_frame", violation.worst_frame + 1}};
+}
+
+std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
 }  // namespace
+
+std::string refusal_json(const Error& error) {
+  return text_of({{"error",
+                   {{"code", diagnostic_id(error.code)},
+                    {"line", error.place.line},
+                    {"column", error.place.column},
+                    {"message", error.message}}}});
+}
+
+std::string check_json(const BvhClip& clip, const std::vector<Violation>& violations) {
+  Json list = Json::array();
+  for (const Violation& violation : violations) list.push_back(violation_json(clip.skeleton, violation));
+  return text_of({{"errors", clip.diagnostics.count(Severity::Error)},
+                  {"warnings", clip.diagnostics.count(Severity::Warning)},
+                  {"violations", std::move(list)},
+                  {"diagnostics", diagnostics_json(clip.diagnostics)}});
+}
 
 std::string clip_json(const BvhClip& clip) {
   const Json json = {{"joints", joints_json(clip.skeleton)},
@@ -57,7 +86,7 @@ std::string clip_json(const BvhClip& clip) {
                      {"stature", compute_stature(clip.skeleton)},
                      {"metres_per_unit", guess_metres_per_unit(clip.skeleton)},
                      {"diagnostics", diagnostics_json(clip.diagnostics)}};
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  return text_of(json);
 }
 
 }  // namespace marey::cli

@@ -1,10 +1,19 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cli/channel_limits.h"
+#include "core/base/result.h"
 #include "core/bvh/bvh_clip.h"
 
 namespace marey::cli {
+
+/// What a command with --json prints for a file that is refused: {"error": {"code", "line", "column", "message"}}.
+[[nodiscard]] std::string refusal_json(const Error& error);
+
+/// What `marey check --json` prints.
+[[nodiscard]] std::string check_json(const BvhClip& clip, const std::vector<Violation>& violations);
 
 /// What `marey info --json` prints. Bytes of the file that are not UTF-8 come out as U+FFFD.
 [[nodiscard]] std::string clip_json(const BvhClip& clip);

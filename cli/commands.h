@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/exit_code.h"
+#include "cli/input.h"
 
 namespace marey::cli {
 
@@ -14,12 +15,6 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code);
 void add_fk_command(CLI::App& program, ExitCode& exit_code);
 void add_fmt_command(CLI::App& program, ExitCode& exit_code);
 void add_check_command(CLI::App& program, ExitCode& exit_code);
-
-/// What every command takes.
-struct Input {
-  std::string file;
-  bool strict = false;
-};
 
 /// Adds the positional FILE and --strict.
 void add_input(CLI::App& command, Input& input, const std::string& name = "FILE");

@@ -9,6 +9,7 @@
 #include "cli/frame_selection.h"
 #include "cli/report.h"
 #include "cli/table_output.h"
+#include "core/base/counted.h"
 #include "core/base/number_text.h"
 #include "core/bvh/writer.h"
 #include "core/motion/resampling.h"
@@ -56,7 +57,7 @@ bool apply_options(const ConvertOptions& options, BvhClip& clip) {
   if (const auto selection = parse_frame_selection(options.frames)) {
     if (selection->last > frame_count) {
       report_error(options.input.file, {},
-                   fmt::format("The clip has {} frames, so {} cannot be taken.", frame_count, options.frames));
+                   fmt::format("The clip has {}, so {} cannot be taken.", counted(frame_count, "frame"), options.frames));
       return false;
     }
     clip.motion = trimmed(clip.motion, {selection->first - 1, selection->last - selection->first + 1});
@@ -75,7 +76,7 @@ bool apply_options(const ConvertOptions& options, BvhClip& clip) {
 ExitCode run_convert(const ConvertOptions& options) {
   const std::optional<std::string> format = output_format(options);
   if (!format) return ExitCode::BadInput;
-  std::optional<BvhClip> clip = read_clip_for_use(options.input.file, options.input.strict);
+  std::optional<BvhClip> clip = read_clip_for_use(options.input);
   if (!clip || !apply_options(options, *clip)) return ExitCode::BadInput;
   if (*format == "csv") return write_channel_table(options.output, clip->skeleton, clip->motion);
   const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);

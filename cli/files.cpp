@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "cli/clip_json.h"
 #include "cli/report.h"
 #include "core/bvh/reader.h"
 
@@ -45,20 +46,21 @@ std::optional<std::string> read_bytes(const std::string& file) {
   return is_complete ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
-std::optional<BvhClip> read_clip(const std::string& file, bool strict) {
-  const std::optional<std::string> bytes = read_bytes(file);
+std::optional<BvhClip> read_clip(const Input& input) {
+  const std::optional<std::string> bytes = read_bytes(input.file);
   if (!bytes) return std::nullopt;
-  Result<BvhClip> clip = read_bvh(*bytes, {.strict = strict, .limits = {}});
+  Result<BvhClip> clip = read_bvh(*bytes, {.strict = input.strict, .limits = {}});
   if (!clip) {
-    report_error(file, clip.error());
+    if (input.as_json) (void)write_bytes("-", refusal_json(clip.error()));
+    report_error(input.file, clip.error());
     return std::nullopt;
   }
   return std::move(*clip);
 }
 
-std::optional<BvhClip> read_clip_for_use(const std::string& file, bool strict) {
-  std::optional<BvhClip> clip = read_clip(file, strict);
-  if (clip) report_diagnostics(file, clip->diagnostics, Severity::Error);
+std::optional<BvhClip> read_clip_for_use(const Input& input) {
+  std::optional<BvhClip> clip = read_clip(input);
+  if (clip) report_diagnostics(input.file, clip->diagnostics, Severity::Error);
   return clip;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "cli/input.h"
 #include "core/bvh/bvh_clip.h"
 
 namespace marey::cli {
@@ -12,11 +13,11 @@ namespace marey::cli {
 /// All bytes of a file, "-" for standard input. Failure is reported.
 [[nodiscard]] std::optional<std::string> read_bytes(const std::string& file);
 
-/// The clip in a BVH file, "-" for standard input. Failure is reported; findings are not.
-[[nodiscard]] std::optional<BvhClip> read_clip(const std::string& file, bool strict);
+/// The clip in a BVH file. Failure is reported, a refusal also as JSON where that is asked for; findings are not.
+[[nodiscard]] std::optional<BvhClip> read_clip(const Input& input);
 
 /// The same for commands that go on with the clip: what could not be read, and is missing from it, is reported.
-[[nodiscard]] std::optional<BvhClip> read_clip_for_use(const std::string& file, bool strict);
+[[nodiscard]] std::optional<BvhClip> read_clip_for_use(const Input& input);
 
 /// A file that is written piece by piece, "-" for standard output.
 class OutputFile {

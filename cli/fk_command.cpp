@@ -10,11 +10,16 @@ namespace {
 struct FkOptions {
   Input input;
   std::string output = "-";
+  std::string positions;  ///< "replace", "add"; empty: as the file's numbers speak
 };
 
 ExitCode run_fk(const FkOptions& options) {
-  const std::optional<BvhClip> clip = read_clip_for_use(options.input.file, options.input.strict);
-  return clip ? write_position_table(options.output, *clip) : ExitCode::BadInput;
+  std::optional<BvhClip> clip = read_clip_for_use(options.input);
+  if (!clip) return ExitCode::BadInput;
+  if (!options.positions.empty()) {
+    clip->position_rule = options.positions == "add" ? PositionRule::Add : PositionRule::Replace;
+  }
+  return write_position_table(options.output, *clip);
 }
 
 }  // namespace
@@ -24,6 +29,9 @@ void add_fk_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("fk", "Write the world positions of all joints and end sites as CSV");
   add_input(*command, options->input);
   command->add_option("-o,--output", options->output, "CSV file to write; standard output by default");
+  command->add_option("--positions", options->positions,
+                      "Position channels replace OFFSET or are added to it; by default as the file's numbers speak")
+      ->check(CLI::IsMember({"replace", "add"}));
   command->callback([options, &exit_code] { exit_code = run_fk(*options); });
 }
 

@@ -13,7 +13,7 @@ struct FmtOptions {
 };
 
 ExitCode run_fmt(const FmtOptions& options) {
-  const std::optional<BvhClip> clip = read_clip_for_use(options.input.file, options.input.strict);
+  const std::optional<BvhClip> clip = read_clip_for_use(options.input);
   if (!clip) return ExitCode::BadInput;
   const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);
   return write_bytes(options.output, text) ? ExitCode::Done : ExitCode::BadInput;

@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/files.h"
 #include "cli/report.h"
+#include "core/base/counted.h"
 #include "core/document/document.h"
 
 namespace marey::cli {
@@ -15,7 +16,6 @@ namespace {
 
 struct InfoOptions {
   Input input;
-  bool as_json = false;
 };
 
 /// "ZXY (20 joints), Z (1 joint)", the most frequent first; joints that do not rotate are left out.
@@ -77,10 +77,10 @@ std::string info_text(const std::string& file, const BvhClip& clip) {
 }
 
 ExitCode run_info(const InfoOptions& options) {
-  const std::optional<BvhClip> clip = read_clip(options.input.file, options.input.strict);
+  const std::optional<BvhClip> clip = read_clip(options.input);
   if (!clip) return ExitCode::BadInput;
-  if (!options.as_json) report_diagnostics(options.input.file, clip->diagnostics);
-  const std::string text = options.as_json ? clip_json(*clip) : info_text(options.input.file, *clip);
+  if (!options.input.as_json) report_diagnostics(options.input.file, clip->diagnostics);
+  const std::string text = options.input.as_json ? clip_json(*clip) : info_text(options.input.file, *clip);
   return write_bytes("-", text) ? ExitCode::Done : ExitCode::BadInput;
 }
 
@@ -90,7 +90,7 @@ void add_info_command(CLI::App& program, ExitCode& exit_code) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand("info", "Tell what a BVH file holds and what was noticed while reading");
   add_input(*command, options->input);
-  command->add_flag("--json", options->as_json, "As JSON, the findings included");
+  command->add_flag("--json", options->input.as_json, "As JSON, the findings included");
   command->callback([options, &exit_code] { exit_code = run_info(*options); });
 }
 

@@ -27,10 +27,6 @@ void report_line(const std::string& subject, TextPlace place, std::string_view s
 
 std::string display_name(const std::string& file) { return file == "-" ? "<stdin>" : file; }
 
-std::string counted(int count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 void report_error(const std::string& file, TextPlace place, std::string_view sentence) {
   report_line(display_name(file), place, severity_name(Severity::Error), sentence);
 }

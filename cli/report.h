@@ -11,9 +11,6 @@ namespace marey::cli {
 /// "<stdin>" for "-", else the name itself: what messages call a file.
 [[nodiscard]] std::string display_name(const std::string& file);
 
-/// "1 frame", "3 frames": a count with its noun.
-[[nodiscard]] std::string counted(int count, std::string_view noun);
-
 /// One line on standard error: "walk.bvh:12:3: error: The sentence." Without a place: "walk.bvh: error: ...".
 void report_error(const std::string& file, TextPlace place, std::string_view sentence);
 /// The same for a refusal of core.

@@ -165,6 +165,21 @@ describe("marey info", () => {
   });
 });
 
+describe("--json of a file that is refused", () => {
+  for (const command of ["info", "check"]) {
+    test(`${command} prints code, place and sentence beside the line on standard error`, () => {
+      const { status, stdout, stderr } = run([command, "--json", scratch("broken.bvh", "HIERARCHY\n{\n}\n")]);
+      assert.equal(status, 2);
+      const { error } = JSON.parse(stdout);
+      assert.deepEqual([error.code, error.line, error.column], ["missing_root", 4, 1]);
+      assert.match(stderr, /^[^\n]*broken\.bvh:4:1: error: [^\n]*\n$/);
+      assert.ok(stderr.trimEnd().endsWith(error.message));
+      const strict = run([command, "--json", "--strict", scratch("repairable.bvh", repairable)]);
+      assert.equal(JSON.parse(strict.stdout).error.code, "frame_count_mismatch");
+    });
+  }
+});
+
 describe("marey fmt", () => {
   for (const name of sampleNames) {
     test(`gives ${name}.bvh back byte for byte`, () => assert.equal(succeed(["fmt", sample(name)]), text(name)));
@@ -216,6 +231,15 @@ describe("marey fk", () => {
     const out = join(folder, "positions.csv");
     assert.equal(succeed(["fk", swing, "-o", out]), "");
     assert.equal(readFileSync(out, "utf8"), succeed(["fk", swing]));
+  });
+
+  test("--positions chooses what position channels mean", () => {
+    const moved = scratch("moved.bvh", smallClip().replace("OFFSET 0.0 0.0 0.0", "OFFSET 0.0 5.0 0.0").replace("Zrotation", "Yposition"));
+    const height = (args) => Number(table(succeed(["fk", moved, ...args]))[1][3]);
+    assert.equal(height([]), 1);
+    assert.equal(height(["--positions", "replace"]), 1);
+    assert.equal(height(["--positions", "add"]), 6);
+    refused(["fk", moved, "--positions", "double"], /--positions/);
   });
 
   test("names with commas and quotes are quoted", () => {
@@ -308,6 +332,17 @@ describe("marey check", () => {
       `${swing}: Legs Zrotation is below -30 in frames 8-10, at worst -37.2 in frame 9`,
       `${swing}: Legs Zrotation is above 3 in frame 14, at worst 3.9 in frame 14`,
       `${swing}: 0 errors, 0 warnings, 2 limit violations`, ""].join("\n"));
+  });
+
+  test("--json has the violations and the findings", () => {
+    const file = limitsFile([{ channel: "Legs Zrotation", min: -30 }]);
+    const { status, stdout, stderr } = run(["check", swing, "--json", "--limits", file]);
+    assert.deepEqual([status, stderr], [1, ""]);
+    assert.deepEqual(JSON.parse(stdout), { errors: 0, warnings: 0, diagnostics: [], violations: [
+      { channel: "Legs Zrotation", first_frame: 8, last_frame: 10, side: "below", limit: -30, worst: -37.2, worst_frame: 9 }] });
+    const repaired = JSON.parse(run(["check", "--json", scratch("repairable.bvh", repairable)]).stdout);
+    assert.equal(repaired.warnings, 1);
+    assert.equal(repaired.diagnostics[0].code, "frame_count_mismatch");
   });
 
   test("a limit that is kept exactly is no violation", () => {
