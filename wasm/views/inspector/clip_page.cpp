@@ -62,12 +62,11 @@ void draw_frame_time(ViewContext& context) {
 }
 
 void draw_position_choice(ViewContext& context) {
-  begin_row(context, "Positions");
-  ui::command_button(context, "clip.positions.replace", ui::ButtonLook::Raised, true, "@inspector");
-  end_row();
-  begin_row(context, "");
-  ui::command_button(context, "clip.positions.add", ui::ButtonLook::Raised, true, "@inspector");
-  end_row();
+  for (const char* id : {"clip.positions.replace", "clip.positions.add"}) {
+    ImGui::SetCursorPosX(kPadding);
+    ui::command_button(context, id, ui::ButtonLook::Raised, true, "@inspector");
+    end_row();
+  }
 }
 
 void draw_assumptions(ViewContext& context) {
