@@ -119,7 +119,7 @@ describe("a file with a part that cannot be read", () => {
   test("check fails", () => {
     const { status, stdout, stderr } = run(["check", scratch("damaged.bvh", damaged)]);
     assert.equal(status, 1);
-    assert.match(stderr.replace(/\n.*: note: .*$/m, ""), line);
+    assert.match(stderr, line);
     assert.match(stdout, /: 1 error, 0 warnings, 0 limit violations\n$/);
   });
 });
@@ -349,8 +349,7 @@ describe("marey check", () => {
     const file = limitsFile([{ channel: "Legs Zrotation", min: -30 }]);
     const { status, stdout, stderr } = run(["check", swing, "--json", "--limits", file]);
     assert.deepEqual([status, stderr], [1, ""]);
-    assert.deepEqual(JSON.parse(stdout), { file: swing, errors: 0, warnings: 0, diagnostics: [],
-      findings: [], findings_left_out: {}, violations: [
+    assert.deepEqual(JSON.parse(stdout), { errors: 0, warnings: 0, diagnostics: [], violations: [
       { channel: "Legs Zrotation", first_frame: 8, last_frame: 10, side: "below", limit: -30, worst: -37.2, worst_frame: 9 }] });
     const repaired = JSON.parse(run(["check", "--json", scratch("repairable.bvh", repairable)]).stdout);
     assert.equal(repaired.warnings, 1);
