@@ -2,7 +2,7 @@
 const basics = ["core/base", "core/math", "core/skeleton", "core/motion"];
 const mechanics = [...basics, "core/kinematics"];
 const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
-  "core/retargeting", "core/constraints", "core/table", "core/document"];
+  "core/retargeting", "core/constraints", "core/table", "core/lint", "core/document"];
 
 const arrows = {
   "core/base": [],
@@ -18,6 +18,7 @@ const arrows = {
   "core/retargeting": mechanics,
   "core/constraints": mechanics,
   "core/table": mechanics,
+  "core/lint": mechanics,
   "core/document": core,
   cli: core,
   "wasm/render": core,
