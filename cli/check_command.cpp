@@ -7,6 +7,7 @@
 #include "cli/clip_json.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/lint_report.h"
 #include "cli/report.h"
 #include "core/base/counted.h"
 
@@ -55,9 +56,10 @@ ExitCode run_check(const CheckOptions& options) {
   if (!clip) return ExitCode::BadInput;
   const std::optional<std::vector<Violation>> violations = check_limits(options.limits_file, *clip);
   if (!violations) return ExitCode::BadInput;
-  if (!options.input.as_json) report_diagnostics(file, clip->diagnostics);
-  const std::string text =
-      options.input.as_json ? check_json(*clip, *violations) : verdict(file, *clip, *violations);
+  const LintReport lint = lint_clip(make_clip(*clip));
+  if (!options.input.as_json) report_check(file, clip->diagnostics, lint);
+  const std::string text = options.input.as_json ? check_json(display_name(file), *clip, lint, *violations)
+                                                 : verdict(file, *clip, *violations);
   if (!write_bytes("-", text)) return ExitCode::BadInput;
   const bool is_good = violations->empty() && clip->diagnostics.count(Severity::Error) == 0;
   return is_good ? ExitCode::Done : ExitCode::CheckFailed;

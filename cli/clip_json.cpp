@@ -56,6 +56,33 @@ Json violation_json(const Skeleton& skeleton, const Violation& violation) {
           {"worst_frame", violation.worst_frame + 1}};
 }
 
+Json finding_json(const Skeleton& skeleton, const Finding& finding) {
+  const FindingTraits& traits = traits_of(finding.kind);
+  const auto frame = [&](bool is_last) {
+    return finding.frames ? Json(is_last ? finding.frames->end() : finding.frames->first + 1) : Json();
+  };
+  return {{"kind", traits.id},
+          {"severity", severity_name(Severity::Note)},
+          {"joint", finding.joint ? Json(skeleton.name(*finding.joint)) : Json()},
+          {"joint_index", finding.joint ? Json(*finding.joint) : Json()},
+          {"channel", finding.channel ? Json(channel_label(skeleton, *finding.channel)) : Json()},
+          {"first_frame", frame(false)},
+          {"last_frame", frame(true)},
+          {"count", finding.count},
+          {"message", finding.message},
+          {"suggestion", traits.suggestion},
+          {"tools", std::vector<std::string>(traits.tools.begin(), traits.tools.end())}};
+}
+
+Json left_out_json(const LintReport& lint) {
+  Json counts = Json::object();
+  for (int kind = 0; kind < kFindingKindCount; ++kind) {
+    const int count = lint.left_out[idx(kind)];
+    if (count > 0) counts[std::string(traits_of(static_cast<FindingKind>(kind)).id)] = count;
+  }
+  return counts;
+}
+
 std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
 }  // namespace
@@ -68,13 +95,19 @@ std::string refusal_json(const Error& error) {
                     {"message", error.message}}}});
 }
 
-std::string check_json(const BvhClip& clip, const std::vector<Violation>& violations) {
+std::string check_json(const std::string& file, const BvhClip& clip, const LintReport& lint,
+                       const std::vector<Violation>& violations) {
+  Json findings = Json::array();
+  for (const Finding& finding : lint.findings) findings.push_back(finding_json(clip.skeleton, finding));
   Json list = Json::array();
   for (const Violation& violation : violations) list.push_back(violation_json(clip.skeleton, violation));
-  return text_of({{"errors", clip.diagnostics.count(Severity::Error)},
+  return text_of({{"file", file},
+                  {"errors", clip.diagnostics.count(Severity::Error)},
                   {"warnings", clip.diagnostics.count(Severity::Warning)},
-                  {"violations", std::move(list)},
-                  {"diagnostics", diagnostics_json(clip.diagnostics)}});
+                  {"diagnostics", diagnostics_json(clip.diagnostics)},
+                  {"findings", std::move(findings)},
+                  {"findings_left_out", left_out_json(lint)},
+                  {"violations", std::move(list)}});
 }
 
 std::string clip_json(const BvhClip& clip) {

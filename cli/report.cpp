@@ -37,11 +37,18 @@ void report_usage_error(std::string_view sentence) {
   report_line("marey", {}, severity_name(Severity::Error), sentence);
 }
 
+void report_diagnostic(const std::string& file, const Diagnostic& diagnostic) {
+  const std::string repeats = diagnostic.count > 1 ? fmt::format(" ({} times)", diagnostic.count) : std::string();
+  report_line(display_name(file), diagnostic.place, severity_name(diagnostic.severity), diagnostic.message + repeats);
+}
+
+void report_note(const std::string& file, TextPlace place, std::string_view sentences) {
+  report_line(display_name(file), place, severity_name(Severity::Note), sentences);
+}
+
 void report_diagnostics(const std::string& file, const Diagnostics& diagnostics, Severity least) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    if (diagnostic.severity < least) continue;
-    const std::string repeats = diagnostic.count > 1 ? fmt::format(" ({} times)", diagnostic.count) : std::string();
-    report_line(display_name(file), diagnostic.place, severity_name(diagnostic.severity), diagnostic.message + repeats);
+    if (diagnostic.severity >= least) report_diagnostic(file, diagnostic);
   }
 }
 

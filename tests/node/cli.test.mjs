@@ -1,44 +1,16 @@
 // The command line as people and programs call it: build/native/marey, or the program that MAREY_CLI names.
 import assert from "node:assert/strict";
-import { spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { spawn } from "node:child_process";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
-import { fileURLToPath } from "node:url";
+import { program, refused, repairable, root, run, sample, sampleNames, smallClip, succeed, swing, text } from "./support/cli.mjs";
 import { readBvh, worldPose } from "./support/plain_bvh.mjs";
-
-const root = fileURLToPath(new URL("../../", import.meta.url));
-const program = process.env.MAREY_CLI ?? join(root, "build/native/marey");
-const samples = join(root, "web/samples");
-const sample = (name) => join(samples, `${name}.bvh`);
-const sampleNames = readdirSync(samples).filter((name) => name.endsWith(".bvh")).map((name) => name.slice(0, -4));
-const swing = sample("giant-swing");
-const text = (name) => readFileSync(sample(name), "utf8");
 
 let folder;
 before(() => { folder = mkdtempSync(join(tmpdir(), "marey-cli-")); });
 after(() => rmSync(folder, { recursive: true }));
-
-function run(args, input = "") {
-  const { status, stdout, stderr } = spawnSync(program, args, { input, encoding: "latin1", maxBuffer: 1 << 28 });
-  return { status, stdout, stderr };
-}
-
-function succeed(args, input) {
-  const result = run(args, input);
-  assert.deepEqual({ status: result.status, stderr: result.stderr }, { status: 0, stderr: "" }, args.join(" "));
-  return result.stdout;
-}
-
-/** Runs what must fail as wrong input or usage, with one line on standard error. */
-function refused(args, pattern, input) {
-  const { status, stdout, stderr } = run(args, input);
-  assert.equal(status, 2, `${args.join(" ")}: ${stderr}`);
-  assert.equal(stdout, "");
-  assert.match(stderr, /^[^\n]+\n$/, "one line");
-  assert.match(stderr, pattern);
-}
 
 function scratch(name, content) {
   const path = join(folder, name);
@@ -47,15 +19,6 @@ function scratch(name, content) {
 }
 
 const table = (csv) => csv.trimEnd().split("\n").map((line) => line.split(","));
-
-/** A file of one joint; the parts can be replaced. */
-const smallClip = ({ name = "Hips", frames = 3, frameTime = "0.1", rows = ["1", "2", "3"], end = "\n" } = {}) => [
-  "HIERARCHY", `ROOT ${name}`, "{", "  OFFSET 0.0 0.0 0.0", "  CHANNELS 1 Zrotation", "  End Site", "  {",
-  "    OFFSET 0.0 2.0 0.0", "  }", "}", "MOTION", `Frames: ${frames}`, `Frame Time: ${frameTime}`, ...rows, "",
-].join(end);
-
-/** A repaired file: its frame count is wrong. */
-const repairable = smallClip({ frames: 2 });
 
 describe("marey", () => {
   test("--version names the program and its version", () => {
@@ -119,7 +82,7 @@ describe("a file with a part that cannot be read", () => {
   test("check fails", () => {
     const { status, stdout, stderr } = run(["check", scratch("damaged.bvh", damaged)]);
     assert.equal(status, 1);
-    assert.match(stderr, line);
+    assert.match(stderr.replace(/\n.*: note: .*$/m, ""), line);
     assert.match(stdout, /: 1 error, 0 warnings, 0 limit violations\n$/);
   });
 });
@@ -317,60 +280,6 @@ describe("marey convert", () => {
     refused(["convert", join(folder, "missing.bvh"), out], /missing\.bvh: error: /);
     refused(["convert", scratch("repairable.bvh", repairable), out, "--strict"], /repairable\.bvh:\d+:\d+: error: /);
     assert.ok(!existsSync(out));
-  });
-});
-
-describe("marey check", () => {
-  const limitsFile = (limits) => scratch("limits.json", JSON.stringify({ limits }));
-
-  test("passes a clean file", () => {
-    assert.equal(succeed(["check", swing]), `${swing}: 0 errors, 0 warnings, 0 limit violations\n`);
-  });
-
-  test("passes a file with warnings, and prints them", () => {
-    const { status, stdout, stderr } = run(["check", scratch("repairable.bvh", repairable)]);
-    assert.equal(status, 0);
-    assert.match(stderr, /^[^\n]*repairable\.bvh:\d+:\d+: warning: /);
-    assert.match(stdout, /0 errors, 1 warning, 0 limit violations\n$/);
-  });
-
-  test("fails where a channel leaves its limits, and says in which frames", () => {
-    const file = limitsFile([{ channel: "Legs Zrotation", min: -30, max: 3 }, { channel: "Body Zrotation", max: 38.2 }]);
-    const { status, stdout, stderr } = run(["check", swing, "--limits", file]);
-    assert.equal(status, 1);
-    assert.equal(stderr, "");
-    assert.equal(stdout, [
-      `${swing}: Legs Zrotation is below -30 in frames 8-10, at worst -37.2 in frame 9`,
-      `${swing}: Legs Zrotation is above 3 in frame 14, at worst 3.9 in frame 14`,
-      `${swing}: 0 errors, 0 warnings, 2 limit violations`, ""].join("\n"));
-  });
-
-  test("--json has the violations and the findings", () => {
-    const file = limitsFile([{ channel: "Legs Zrotation", min: -30 }]);
-    const { status, stdout, stderr } = run(["check", swing, "--json", "--limits", file]);
-    assert.deepEqual([status, stderr], [1, ""]);
-    assert.deepEqual(JSON.parse(stdout), { errors: 0, warnings: 0, diagnostics: [], violations: [
-      { channel: "Legs Zrotation", first_frame: 8, last_frame: 10, side: "below", limit: -30, worst: -37.2, worst_frame: 9 }] });
-    const repaired = JSON.parse(run(["check", "--json", scratch("repairable.bvh", repairable)]).stdout);
-    assert.equal(repaired.warnings, 1);
-    assert.equal(repaired.diagnostics[0].code, "frame_count_mismatch");
-  });
-
-  test("a limit that is kept exactly is no violation", () => {
-    succeed(["check", swing, "--limits", limitsFile([{ channel: "Legs Zrotation", min: -37.2, max: 3.9 }])]);
-  });
-
-  test("refuses limits that it does not understand", () => {
-    const attempt = (content, pattern) => refused(["check", swing, "--limits", scratch("bad.json", content)], pattern);
-    attempt('{"limits": [\n  {"channel": oops}\n]}', /bad\.json:2:15: error: /);
-    attempt("[]", /bad\.json: error: .*"limits"/);
-    attempt('{"limits": [], "limit": []}', /error: /);
-    attempt('{"limits": [{"channel": "Legs Zrotation", "minimum": 3}]}', /Limit 1 has the key "minimum"/);
-    attempt('{"limits": [{"channel": "Legs Zrotation"}]}', /Limit 1 has neither min nor max/);
-    attempt('{"limits": [{"channel": "Legs Zrotation", "min": "3"}]}', /min that is not a number/);
-    attempt('{"limits": [{"channel": "Legs Zrotation", "min": 3, "max": 2}]}', /min above its max/);
-    attempt('{"limits": [{"channel": "Tail Zrotation", "min": 3}]}', /no channel "Tail Zrotation"/);
-    refused(["check", swing, "--limits", join(folder, "none.json")], /none\.json: error: The file cannot be opened/);
   });
 });
 
