@@ -25,7 +25,7 @@ constexpr double kLeastNeighbourSteps = 6.0;
 // A step has no company if those beside it are smaller than this part of it.
 constexpr double kMostOfAdjacentStep = 0.3;
 // Nor if no step nearby reaches this part of it, but for one that leads back by as much.
-constexpr double kMostOfNearbyStep = 0.45;
+constexpr double kMostOfNearbyStep = 0.33;
 constexpr double kLeastOfReturn = 0.7;
 // Of the leap of an angle, the joint must turn by so much; else it is the angles that leap, not the pose.
 constexpr double kLeastShareOfTurn = 0.4;

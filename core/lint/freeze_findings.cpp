@@ -155,11 +155,11 @@ void add_channels(const Clip& clip, std::vector<Freeze> freezes, const LintOptio
       });
   for (const Freeze& freeze : freezes) {
     const std::string others =
-        freeze.channels > 1 ? fmt::format(" and {} keep their values", counted(freeze.channels - 1, "other channel"))
+        freeze.channels > 1 ? fmt::format(" keeps its value, with {},", counted(freeze.channels - 1, "other channel"))
                             : fmt::format(" stays at {}", clip.motion.sample(freeze.channel, freeze.frames.first) + 0.0);
     report.findings.push_back(
         {kKind, clip.skeleton.channel(freeze.channel).joint, freeze.channel, freeze.frames, freeze.channels,
-         fmt::format("{}{} in {}, but not from frame to frame elsewhere.",
+         fmt::format("{}{} in {}, but changes from frame to frame elsewhere.",
                      lint::quoted(channel_label(clip.skeleton, freeze.channel)), others,
                      lint::frames_text(freeze.frames))});
   }
