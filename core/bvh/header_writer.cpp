@@ -1,17 +1,15 @@
 #include "core/bvh/header_writer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <string_view>
 #include <vector>
 
+#include "core/base/bits.h"
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
 
 namespace marey {
 namespace {
-
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 bool same_but_for_offset(const Node& a, const Node& b) {
   return a.joint == b.joint && a.parent == b.parent && a.is_end_site == b.is_end_site && a.name == b.name;

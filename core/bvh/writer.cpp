@@ -1,11 +1,11 @@
 #include "core/bvh/writer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string_view>
 #include <vector>
 
+#include "core/base/bits.h"
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
 #include "core/bvh/header_writer.h"
@@ -14,8 +14,6 @@
 
 namespace marey {
 namespace {
-
-bool same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// The style as it fits the motion.
 MotionStyle fitted_style(const Motion& motion, const BvhStyle& style) {
@@ -108,7 +106,7 @@ bool reads_back_as(const Motion& motion, const std::string& text) {
   return again && same_bits(again->motion.frame_time_s(), motion.frame_time_s()) &&
          again->motion.frame_count() == motion.frame_count() &&
          std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
-                    again->motion.samples().end(), same_bits);
+                    again->motion.samples().end(), same_bits<double>);
 }
 
 }  // namespace

@@ -2,14 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include "core/base/counted.h"
 
 namespace marey {
 namespace {
-
-std::string counted(std::int64_t count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
 
 std::string describe_samples(const Changes& changes) {
   const int first = changes.frames.first + 1;

@@ -5,10 +5,10 @@
 
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/bvh/reader.h"
 #include "wasm/app/app_parts.h"
 #include "wasm/app/builtin_commands.h"
-#include "wasm/app/number_text.h"
 #include "wasm/app/samples.h"
 #include "wasm/app/widgets.h"
 

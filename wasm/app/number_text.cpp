@@ -38,10 +38,6 @@ std::optional<double> read_typed_number(std::string_view text, std::string_view 
   return value;
 }
 
-std::string counted(int count, std::string_view noun) {
-  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 std::string editable_number(double value) { return std::isfinite(value) ? fmt::format("{}", value) : std::string(); }
 
 }  // namespace marey::app

@@ -16,7 +16,4 @@ namespace marey::app {
 /// The shortest text that reads back as the same double, as the start of typing.
 [[nodiscard]] std::string editable_number(double value);
 
-/// "1 joint", "2 joints".
-[[nodiscard]] std::string counted(int count, std::string_view noun);
-
 }  // namespace marey::app
