@@ -21,7 +21,7 @@ const steps = [
   { name: "types of the page", body: runTypeCheck },
   { name: "build of the site", body: runBuild },
   { name: "command line and module in Node", body: (log) => runNodeTests(log, "tests/node"), notes: /^# .*compared/ },
-  { name: "page in Chromium", body: (log) => runPlaywright(log, "tests/browser") },
+  { name: "page in Chromium", body: (log) => runPlaywright(log, "tests/browser"), notes: /retry #/ },
   { name: "page in Firefox and WebKit", body: runOtherEngines },
   { name: "gates", body: (log) => runNodeTests(log, "tests/gates"), notes: /^# .* checked$/ },
 ];

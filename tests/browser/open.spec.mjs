@@ -36,13 +36,11 @@ test("by drop of several: the first BVH file, and the page says so", async ({ ma
   await expect(page.getByRole("alert")).toBeHidden();
 });
 
-test("by the file picker", async ({ marey, page }, testInfo) => {
+test("by the file picker", async ({ marey }, testInfo) => {
   await marey.goto();
   const path = testInfo.outputPath("picked.bvh");
   writeFileSync(path, armClip(7));
-  const chooser = page.waitForEvent("filechooser");
-  await marey.press("Control+o");
-  await (await chooser).setFiles(path);
+  await marey.chooseFile(path, () => marey.press("Control+o"));
   await marey.expectState(({ file, frames }) => [file, frames], ["picked.bvh", 7]);
 });
 

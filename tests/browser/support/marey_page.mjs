@@ -82,6 +82,17 @@ export class MareyPage {
     await this.drawn(3);
   }
 
+  /**
+   * Gives a file to the picker that `ask` opens. The browser hears of being watched for pickers and of keys by ways of
+   * their own, of which the second can be quicker: the answer to a question comes after the first has been heard.
+   */
+  async chooseFile(path, ask) {
+    const chooser = this.page.waitForEvent("filechooser");
+    await this.drawn();
+    await ask();
+    await (await chooser).setFiles(path);
+  }
+
   /** Waits until the page has drawn so many frames, or would have if there had been any to draw. */
   drawn(frames = 1) {
     return this.page.evaluate(async (count) => {
