@@ -17,6 +17,8 @@ struct BvhClip {
   Diagnostics diagnostics;
   /// The rule that the file's numbers speak for; a diagnostic says so where it matters.
   PositionRule position_rule = PositionRule::Replace;
+  /// What "Frames:" says, where the file holds more frames and all of them were read; 0 otherwise.
+  int declared_frames = 0;
 };
 
 }  // namespace marey

@@ -113,6 +113,9 @@ void BvhReader::read_motion() {
   report_tail(rows.end);
   keep_style(rows);
   if (report_.failed()) return;
+  if (header_.declared_frames.value_or(0) > 0 && *header_.declared_frames < rows.frame_count) {
+    clip_.declared_frames = static_cast<int>(*header_.declared_frames);
+  }
   clip_.motion = Motion(skeleton.channel_count(), rows.frame_count, header_.frame_time_s, std::move(rows.samples));
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -66,6 +67,10 @@ struct MotionStyle {
 /// Puts every frame into a line of its own, with decimal points and blanks between the numbers: for rows that no longer
 /// are as they were read. Column gaps that do not fit are exchanged, odd tokens that do not fit dropped.
 void give_each_frame_a_line(MotionStyle& style, const std::string& line_end);
+
+/// The style of rows of which only some are left: `file_frames` holds, by frame, which of the style's frames each one is,
+/// rising; others are new. What a frame's text has of its own moves with it.
+[[nodiscard]] MotionStyle with_frames(const MotionStyle& style, std::span<const FrameIndex> file_frames);
 
 enum class TextEncoding : std::uint8_t { Bytes, Utf16LittleEndian, Utf16BigEndian };
 

@@ -20,6 +20,8 @@ std::string describe(const Changes& changes) {
   std::string text;
   const auto add = [&text](const std::string& part) { text += text.empty() ? part : "; " + part; };
   if (changes.samples > 0) add(describe_samples(changes));
+  if (changes.removed_frames > 0) add(counted(changes.removed_frames, "frame") + " left out");
+  if (changes.added_frames > 0) add(counted(changes.added_frames, "frame") + " added");
   if (changes.offsets > 0) add(counted(changes.offsets, "offset"));
   if (changes.frame_time) add("the frame time");
   return text.empty() ? "nothing" : text;

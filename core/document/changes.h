@@ -12,14 +12,18 @@ struct Changes {
   int channels = 0;          ///< with samples that differ
   std::int64_t samples = 0;  ///< that differ, in all channels
   FrameRange frames;         ///< from the first to the last frame with such a sample
+  int removed_frames = 0;
+  int added_frames = 0;
   int offsets = 0;           ///< of joints and end sites
   bool frame_time = false;
 
-  [[nodiscard]] bool empty() const { return samples == 0 && offsets == 0 && !frame_time; }
+  [[nodiscard]] bool empty() const {
+    return samples == 0 && offsets == 0 && removed_frames == 0 && added_frames == 0 && !frame_time;
+  }
 };
 
-/// For people, frames counted from 1: "3 samples in 2 channels, frames 5 to 9; 1 offset; the frame time". "nothing" when
-/// nothing differs.
+/// For people, frames counted from 1: "3 samples in 2 channels, frames 5 to 9; 1 frame left out; 1 offset; the frame time".
+/// "nothing" when nothing differs.
 [[nodiscard]] std::string describe(const Changes& changes);
 
 }  // namespace marey

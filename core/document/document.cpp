@@ -1,8 +1,10 @@
 #include "core/document/document.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/base/bits.h"
@@ -14,8 +16,8 @@ namespace {
 
 constexpr double kHumanStatureM = 1.7;
 constexpr double kDefaultMetresPerUnit = 0.01;
-// Metre, centimetre, millimetre, inch, and the unit of the CMU recordings.
-constexpr std::array kMetresPerUnit = {1.0, 0.01, 0.001, 0.0254, 0.0254 / 0.45};
+constexpr std::array kLengthUnits = {LengthUnit{"m", 1.0}, LengthUnit{"cm", 0.01}, LengthUnit{"mm", 0.001},
+                                     LengthUnit{"inch", 0.0254}, LengthUnit{"CMU unit", 0.0254 / 0.45}};
 
 ClipSettings guess_settings(const BvhClip& clip) {
   ClipSettings settings;
@@ -23,6 +25,26 @@ ClipSettings guess_settings(const BvhClip& clip) {
   settings.up_axis = find_up_axis(clip.skeleton, clip.motion, clip.position_rule);
   settings.metres_per_unit = guess_metres_per_unit(clip.skeleton);
   return settings;
+}
+
+/// Clip::file_frames with nothing left to be understood.
+std::vector<FrameIndex> as_listed(const std::vector<FrameIndex>& file_frames, int frame_count) {
+  if (!file_frames.empty()) return file_frames;
+  std::vector<FrameIndex> all(idx(frame_count));
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+/// Where each of `wanted` stands in `frames`, -1 where it does not. Both rise.
+std::vector<FrameIndex> places_in(const std::vector<FrameIndex>& frames, const std::vector<FrameIndex>& wanted) {
+  std::vector<FrameIndex> places;
+  places.reserve(wanted.size());
+  auto at = frames.begin();
+  for (const FrameIndex frame : wanted) {
+    while (at != frames.end() && *at < frame) ++at;
+    places.push_back(at != frames.end() && *at == frame ? static_cast<FrameIndex>(at - frames.begin()) : -1);
+  }
+  return places;
 }
 
 }  // namespace
@@ -33,6 +55,7 @@ Document::Document(BvhClip clip, std::string file_name) : file_name_(std::move(f
   clip_.motion = std::move(clip.motion);
   style_ = std::move(clip.style);
   diagnostics_ = std::move(clip.diagnostics);
+  declared_frames_ = clip.declared_frames;
 }
 
 Status Document::apply(Edit edit) {
@@ -66,42 +89,70 @@ bool Document::redo() {
   return history_.redo(clip_);
 }
 
-std::string Document::save_text() const { return write_bvh(clip_.skeleton, clip_.motion, style_); }
+std::string Document::save_text() const {
+  if (clip_.file_frames.empty()) return write_bvh(clip_.skeleton, clip_.motion, style_);
+  BvhStyle style = style_;
+  style.motion = with_frames(style_.motion, clip_.file_frames);
+  return write_bvh(clip_.skeleton, clip_.motion, style);
+}
 
 void Document::mark_saved() {
   history_.mark_saved();
   saved_samples_.clear();
+  saved_file_frames_.reset();
   saved_offsets_.clear();
   saved_frame_time_s_.reset();
 }
 
 std::span<const double> Document::saved_samples(ChannelIndex channel) const {
   const auto found = saved_samples_.find(channel);
-  return found == saved_samples_.end() ? std::span<const double>() : std::span<const double>(found->second);
+  return found == saved_samples_.end() || !has_saved_frames() ? std::span<const double>() : std::span<const double>(found->second);
 }
 
-Changes Document::find_changes() const {
-  Changes changes;
+bool Document::has_saved_frames() const {
+  return !saved_file_frames_ || as_listed(clip_.file_frames, clip_.motion.frame_count()) == *saved_file_frames_;
+}
+
+void Document::find_sample_changes(Changes& changes) const {
+  const int frame_count = clip_.motion.frame_count();
+  const std::vector<FrameIndex> present = as_listed(clip_.file_frames, frame_count);
+  const std::vector<FrameIndex>& saved_frames = saved_file_frames_ ? *saved_file_frames_ : present;
+  const std::vector<FrameIndex> saved_places = places_in(saved_frames, present);
+  const int kept = frame_count - static_cast<int>(std::count(saved_places.begin(), saved_places.end(), -1));
+  changes.removed_frames = size_of(saved_frames) - kept;
+  changes.added_frames = frame_count - kept;
   for (const auto& [channel, saved] : saved_samples_) {
     const std::span<const double> samples = clip_.motion.channel_samples(channel);
     const std::int64_t before = changes.samples;
-    for (FrameIndex frame = 0; frame < size_of(saved); ++frame) {
-      if (same_bits(saved[idx(frame)], samples[idx(frame)])) continue;
+    for (FrameIndex frame = 0; frame < frame_count; ++frame) {
+      const FrameIndex place = saved_places[idx(frame)];
+      if (place < 0 || same_bits(saved[idx(place)], samples[idx(frame)])) continue;
       ++changes.samples;
       changes.frames = hull(changes.frames, {frame, 1});
     }
     changes.channels += changes.samples > before ? 1 : 0;
   }
+}
+
+Changes Document::find_changes() const {
+  Changes changes;
+  find_sample_changes(changes);
   for (const auto& [node, saved] : saved_offsets_) changes.offsets += saved != clip_.skeleton.node(node).offset ? 1 : 0;
   changes.frame_time = saved_frame_time_s_ && *saved_frame_time_s_ != clip_.motion.frame_time_s();
   return changes;
 }
 
+void Document::keep_channel_ghost(ChannelIndex channel) {
+  if (saved_samples_.contains(channel)) return;
+  const std::span<const double> samples = clip_.motion.channel_samples(channel);
+  saved_samples_.emplace(channel, std::vector<double>(samples.begin(), samples.end()));
+}
+
 void Document::keep_ghosts(const Edit& edit) {
-  for (const SamplesChange& change : edit.samples) {
-    if (saved_samples_.contains(change.channel)) continue;
-    const std::span<const double> samples = clip_.motion.channel_samples(change.channel);
-    saved_samples_.emplace(change.channel, std::vector<double>(samples.begin(), samples.end()));
+  for (const SamplesChange& change : edit.samples) keep_channel_ghost(change.channel);
+  if (edit.frames && !saved_file_frames_) {
+    for (ChannelIndex channel = 0; channel < clip_.motion.channel_count(); ++channel) keep_channel_ghost(channel);
+    saved_file_frames_ = as_listed(clip_.file_frames, clip_.motion.frame_count());
   }
   for (const OffsetChange& change : edit.offsets) {
     saved_offsets_.try_emplace(change.node, clip_.skeleton.node(change.node).offset);
@@ -114,15 +165,17 @@ void Document::keep_gesture_ghosts(GestureId gesture) {
   if (history_.is_in_gesture(gesture)) keep_ghosts(*history_.undo_edit());
 }
 
+std::span<const LengthUnit> known_length_units() { return kLengthUnits; }
+
 double guess_metres_per_unit(const Skeleton& skeleton) {
   const double stature = compute_stature(skeleton);
   if (!std::isfinite(stature) || stature <= 0.0) return kDefaultMetresPerUnit;
   double best = kDefaultMetresPerUnit;
   double best_distance = std::numeric_limits<double>::infinity();
-  for (const double candidate : kMetresPerUnit) {
-    const double distance = std::abs(std::log(candidate * stature / kHumanStatureM));
+  for (const LengthUnit& candidate : kLengthUnits) {
+    const double distance = std::abs(std::log(candidate.metres * stature / kHumanStatureM));
     if (distance >= best_distance) continue;
-    best = candidate;
+    best = candidate.metres;
     best_distance = distance;
   }
   return best;

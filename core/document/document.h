@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/bvh/bvh_clip.h"
@@ -27,6 +28,8 @@ class Document {
   [[nodiscard]] const ClipSettings& settings() const { return clip_.settings; }
   [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const BvhStyle& style() const { return style_; }
+  /// As in BvhClip: less than the frames of the opened file, or 0.
+  [[nodiscard]] int declared_frames() const { return declared_frames_; }
   [[nodiscard]] const std::string& file_name() const { return file_name_; }
   [[nodiscard]] const History& history() const { return history_; }
 
@@ -47,7 +50,8 @@ class Document {
   /// Call when the text has reached the user. The ghosts are forgotten.
   void mark_saved();
 
-  /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched.
+  /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched, and
+  /// while frames are missing that were there.
   [[nodiscard]] std::span<const double> saved_samples(ChannelIndex channel) const;
   /// In what a download would differ from what was last opened or saved. Looks at every sample of the touched channels.
   [[nodiscard]] Changes find_changes() const;
@@ -55,16 +59,30 @@ class Document {
  private:
   void keep_ghosts(const Edit& edit);
   void keep_gesture_ghosts(GestureId gesture);
+  void keep_channel_ghost(ChannelIndex channel);
+  [[nodiscard]] bool has_saved_frames() const;
+  void find_sample_changes(Changes& changes) const;
 
   Clip clip_;
   BvhStyle style_;
   Diagnostics diagnostics_;
   std::string file_name_;
+  int declared_frames_ = 0;
   History history_;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
+  std::optional<std::vector<FrameIndex>> saved_file_frames_;  // as Clip::file_frames; nothing while no frame went
   std::map<NodeIndex, glm::dvec3> saved_offsets_;
   std::optional<double> saved_frame_time_s_;
 };
+
+/// A length that files are made in.
+struct LengthUnit {
+  std::string_view name;  ///< for people: "cm"
+  double metres = 1.0;
+};
+
+/// Those that guess_metres_per_unit() chooses from.
+[[nodiscard]] std::span<const LengthUnit> known_length_units();
 
 /// The length of a file unit that makes the figure's stature human: 1 m, 1 cm, 1 mm, 1 inch or the CMU unit
 /// (0.0254 / 0.45 m = 5.644 cm), whichever brings the stature nearest to 1.7 m as a ratio. 1 cm without a stature.

@@ -15,6 +15,7 @@ class Playback {
 
   /// Position in frames, 0-based, never beyond the last frame; between whole numbers while playing slowly or
   /// scrubbing freely.
+  [[nodiscard]] int frame_count() const { return frame_count_; }
   [[nodiscard]] double position() const { return position_; }
   /// Nearest whole frame.
   [[nodiscard]] FrameIndex frame() const;

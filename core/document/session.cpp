@@ -7,6 +7,7 @@ namespace {
 
 void follow_clip(Session& session) {
   const Motion& motion = session.document.motion();
+  if (motion.frame_count() != session.playback.frame_count()) session.selection.samples().clear();
   session.playback.set_clip(motion.frame_count(), motion.frame_time_s());
 }
 

@@ -39,4 +39,12 @@ Edit make_frame_time_edit(double frame_time_s) {
   return edit;
 }
 
+Edit make_remove_frames_edit(FrameRange frames) {
+  Edit edit;
+  edit.name = frames.count == 1 ? fmt::format("Remove frame {}", frames.first + 1)
+                                : fmt::format("Remove frames {} to {}", frames.first + 1, frames.end());
+  edit.frames = FramesChange{frames, {}, {}};
+  return edit;
+}
+
 }  // namespace marey

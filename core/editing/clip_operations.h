@@ -13,4 +13,8 @@ namespace marey {
 /// Changes the time of a frame, so the speed of the clip; the samples stay. > 0.
 [[nodiscard]] Edit make_frame_time_edit(double frame_time_s);
 
+/// Takes frames out of the clip; those behind them move up. `frames` lies within the clip and leaves one at least, or
+/// the edit is refused on applying.
+[[nodiscard]] Edit make_remove_frames_edit(FrameRange frames);
+
 }  // namespace marey

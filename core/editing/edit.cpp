@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -47,6 +48,25 @@ Status check_offset(const Skeleton& skeleton, const OffsetChange& change) {
   return {};
 }
 
+Status check_frames(const Clip& clip, const Edit& edit) {
+  const FramesChange& change = *edit.frames;
+  const Motion& motion = clip.motion;
+  const FrameRange removed = change.removed;
+  if (removed.first < 0 || removed.count < 0 || removed.first > motion.frame_count() ||
+      removed.count > motion.frame_count() - removed.first) {
+    return refusal(DiagnosticCode::InvalidArgument,
+                   fmt::format("The clip has {} frames; the change reaches beyond them.", motion.frame_count()));
+  }
+  const bool fits = change.inserted.frame_count() == 0 || change.inserted.channel_count() == motion.channel_count();
+  if (!fits || size_of(change.file_frames) != change.inserted.frame_count() || !edit.samples.empty()) {
+    return refusal(DiagnosticCode::InvalidArgument, "The frames to insert do not fit the clip.");
+  }
+  if (motion.frame_count() > 0 && motion.frame_count() - removed.count + change.inserted.frame_count() == 0) {
+    return refusal(DiagnosticCode::InvalidArgument, "A clip keeps one frame at least.");
+  }
+  return {};
+}
+
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 Status check_scalars(const Edit& edit) {
@@ -78,6 +98,21 @@ bool have_repeat(const std::vector<OffsetChange>& changes) {
   return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
 }
 
+void swap_frames(Clip& clip, FramesChange& change) {
+  if (clip.file_frames.empty()) {
+    clip.file_frames.resize(idx(clip.motion.frame_count()));
+    std::iota(clip.file_frames.begin(), clip.file_frames.end(), 0);
+  }
+  if (change.inserted.frame_count() == 0) change.inserted = Motion(clip.motion.channel_count(), 0, clip.motion.frame_time_s());
+  clip.motion.exchange_frames(change.removed, change.inserted);
+  const auto begin = clip.file_frames.begin() + change.removed.first;
+  std::vector<FrameIndex> taken(begin, begin + change.removed.count);
+  const auto at = clip.file_frames.erase(begin, begin + change.removed.count);
+  clip.file_frames.insert(at, change.file_frames.begin(), change.file_frames.end());
+  change.removed.count = size_of(change.file_frames);
+  change.file_frames = std::move(taken);
+}
+
 void cut_to_difference(std::span<const double> present, SamplesChange& change) {
   const auto differs = [&](std::size_t i) { return !same_bits(present[idx(change.first) + i], change.values[i]); };
   std::size_t begin = 0;
@@ -98,6 +133,9 @@ Status check_edit(const Clip& clip, const Edit& edit) {
   for (const OffsetChange& change : edit.offsets) {
     if (Status status = check_offset(clip.skeleton, change); !status) return status;
   }
+  if (edit.frames) {
+    if (Status status = check_frames(clip, edit); !status) return status;
+  }
   if (Status status = check_scalars(edit); !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
     return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
@@ -113,6 +151,7 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
   std::erase_if(edit.offsets, [&](const OffsetChange& change) {
     return same_bits(clip.skeleton.node(change.node).offset, change.offset);
   });
+  if (edit.frames && edit.frames->removed.count == 0 && edit.frames->file_frames.empty()) edit.frames.reset();
   if (edit.settings == clip.settings) edit.settings.reset();
   if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
   return edit;
@@ -128,6 +167,7 @@ void swap_edit(Clip& clip, Edit& edit) {
     clip.skeleton.set_offset(change.node, change.offset);
     change.offset = present;
   }
+  if (edit.frames) swap_frames(clip, *edit.frames);
   if (edit.settings) std::swap(clip.settings, *edit.settings);
   if (edit.frame_time_s) {
     const double present = clip.motion.frame_time_s();
@@ -141,12 +181,15 @@ std::size_t edit_bytes(const Edit& edit) {
   for (const SamplesChange& change : edit.samples) {
     bytes += sizeof(SamplesChange) + change.values.size() * sizeof(double);
   }
+  if (edit.frames) {
+    bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
+  }
   return bytes;
 }
 
 FrameRange edited_frames(const Clip& clip, const Edit& edit) {
   const bool moves_rule = edit.settings && edit.settings->position_rule != clip.settings.position_rule;
-  if (moves_rule || !edit.offsets.empty()) return {0, clip.motion.frame_count()};
+  if (moves_rule || edit.frames || !edit.offsets.empty()) return {0, clip.motion.frame_count()};
   FrameRange frames;
   for (const SamplesChange& change : edit.samples) frames = hull(frames, {change.first, size_of(change.values)});
   return frames;

@@ -23,16 +23,27 @@ struct OffsetChange {
   glm::dvec3 offset{0.0};
 };
 
+/// The frames of `removed` give way to others, which may be none.
+struct FramesChange {
+  FrameRange removed;
+  Motion inserted;                      ///< has the clip's channels; its frame time does not count
+  std::vector<FrameIndex> file_frames;  ///< of the inserted frames, as in Clip
+};
+
 /// A change of a clip as a value: a name for the Edit menu ("Smooth 3 channels") and the new content of what it
-/// touches, nothing else, so that the history stores deltas. Changes of one edit do not overlap.
+/// touches, nothing else, so that the history stores deltas. Changes of one edit do not overlap; one that takes frames away
+/// or brings them back changes no other samples.
 struct Edit {
   std::string name;
   std::vector<SamplesChange> samples;
   std::vector<OffsetChange> offsets;
+  std::optional<FramesChange> frames;
   std::optional<ClipSettings> settings;
   std::optional<double> frame_time_s;
 
-  [[nodiscard]] bool empty() const { return samples.empty() && offsets.empty() && !settings && !frame_time_s; }
+  [[nodiscard]] bool empty() const {
+    return samples.empty() && offsets.empty() && !frames && !settings && !frame_time_s;
+  }
 };
 
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
@@ -51,8 +62,9 @@ void swap_edit(Clip& clip, Edit& edit);
 /// Bytes that an edit keeps, for the history's bound.
 [[nodiscard]] std::size_t edit_bytes(const Edit& edit);
 
-/// Frames whose poses an edit changes: the hull of its samples; the whole clip for an offset or another position rule;
-/// none for the frame time and the other settings. The same before and after swap_edit().
+/// Frames whose poses an edit changes: the hull of its samples; the whole clip, as it is now, for an offset, another
+/// position rule or another number of frames; none for the frame time and the other settings. But for the number of
+/// frames the same before and after swap_edit().
 [[nodiscard]] FrameRange edited_frames(const Clip& clip, const Edit& edit);
 
 /// Smallest range that covers both; an empty one does not count.

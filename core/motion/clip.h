@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "core/motion/motion.h"
 #include "core/skeleton/channel.h"
 #include "core/skeleton/position_rule.h"
@@ -20,6 +22,8 @@ struct Clip {
   Skeleton skeleton;
   Motion motion;
   ClipSettings settings;
+  /// By frame: which frame of the opened file it was, rising. Empty as long as all of them are there.
+  std::vector<FrameIndex> file_frames{};
 };
 
 }  // namespace marey

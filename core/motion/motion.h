@@ -32,6 +32,9 @@ class Motion {
   [[nodiscard]] std::span<double> channel_samples(ChannelIndex channel) {
     return std::span(samples_).subspan(idx(channel) * idx(frame_count_), idx(frame_count_));
   }
+  /// Exchanges the frames of `range`, which lies within the motion, with those of `other`, which may be none and has as
+  /// many channels: `other` holds what was there. Frame times stay.
+  void exchange_frames(FrameRange range, Motion& other);
   /// All samples, channel after channel.
   [[nodiscard]] std::span<const double> samples() const { return samples_; }
 

@@ -176,6 +176,34 @@ TEST(DocumentChanges, AreWhatADownloadWouldDifferIn) {
   EXPECT_TRUE(document.find_changes().empty());
 }
 
+TEST(DocumentChanges, CountFramesThatWereLeftOut) {
+  Document document(read_bvh(bvh_text()).value(), "walk.bvh");
+  ASSERT_TRUE(document.apply(make_remove_frames_edit({0, 1})));
+  EXPECT_EQ(describe(document.find_changes()), "1 frame left out");
+  ASSERT_TRUE(document.apply(make_sample_edit(document.clip(), kCurve, 0, 45.5)));
+  EXPECT_EQ(describe(document.find_changes()), "1 sample in 1 channel, frame 1; 1 frame left out");
+  document.mark_saved();
+  EXPECT_TRUE(document.find_changes().empty());
+  document.undo();
+  document.undo();
+  EXPECT_EQ(describe(document.find_changes()), "1 sample in 1 channel, frame 2; 1 frame added");
+  while (document.redo()) continue;
+  EXPECT_TRUE(document.find_changes().empty());
+}
+
+TEST(DocumentSave, KeepsTheBytesOfFramesThatMoveUp) {
+  Document document(read_bvh(bvh_text()).value(), "walk.bvh");
+  ASSERT_TRUE(document.apply(make_remove_frames_edit({0, 1})));
+  std::string expected;
+  for (int line = 0; line < 16; ++line) {
+    if (line != 13) expected += kBvhLines[line];
+  }
+  expected.replace(expected.find("Frames: 3"), 9, "Frames: 2");
+  EXPECT_EQ(document.save_text(), expected);
+  document.undo();
+  EXPECT_EQ(document.save_text(), bvh_text());
+}
+
 TEST(DocumentSave, KeepsTheBitsOfEveryEditedSample) {
   Document document(read_bvh(bvh_text()).value(), "walk.bvh");
   const SampleSelection all = selected(kCurve, {0, 3});

@@ -28,6 +28,18 @@ TEST(Session, OpensPausedOnTheFirstFrameWithNothingSelected) {
   }
 }
 
+TEST(Session, PlaybackAndSelectionFollowTheNumberOfFrames) {
+  Session session = open_session(10);
+  session.playback.set_position(9);
+  session.selection.samples().add(3, {8, 2});
+  ASSERT_TRUE(session.apply(make_remove_frames_edit({5, 5})));
+  EXPECT_EQ(session.playback.position(), 4.0);
+  EXPECT_EQ(session.playback.range(), (FrameRange{0, 5}));
+  EXPECT_TRUE(session.selection.samples().empty());
+  session.undo();
+  EXPECT_EQ(session.playback.range(), (FrameRange{0, 10}));
+}
+
 TEST(Session, PlaybackFollowsTheFrameTimeThroughUndoAndRedo) {
   Session session = open_session(100);
   const double frame_time_s = session.document.motion().frame_time_s();

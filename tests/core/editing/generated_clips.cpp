@@ -114,7 +114,7 @@ SampleSelection make_random_selection(Random& random, const Clip& clip) {
 
 Edit make_random_edit(Random& random, const Clip& clip) {
   const SampleSelection selection = make_random_selection(random, clip);
-  switch (random.below(9)) {
+  switch (random.below(10)) {
     case 0:
       return make_move_edit(clip, selection, make_number(random), {random.between(-1, 9)});
     case 1:
@@ -131,6 +131,8 @@ Edit make_random_edit(Random& random, const Clip& clip) {
       return make_random_settings_edit(random, clip);
     case 7:
       return make_frame_time_edit(random.between(-0.01, 0.1));
+    case 8:
+      return make_remove_frames_edit({random.below(clip.motion.frame_count() + 2) - 1, random.below(5)});
     default:
       return make_random_samples_edit(random, clip);
   }
@@ -141,6 +143,9 @@ std::vector<std::uint64_t> bits_of(const Clip& clip) {
   for (const double sample : clip.motion.samples()) result.push_back(bits(sample));
   for (const Node& node : clip.skeleton.nodes()) {
     for (int axis = 0; axis < 3; ++axis) result.push_back(bits(node.offset[axis]));
+  }
+  for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
+    result.push_back(static_cast<std::uint64_t>(clip.file_frames.empty() ? frame : clip.file_frames[idx(frame)]));
   }
   result.push_back(bits(clip.motion.frame_time_s()));
   result.push_back(bits(clip.settings.metres_per_unit));

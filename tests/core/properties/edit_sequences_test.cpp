@@ -159,6 +159,14 @@ class EditRun {
   }
 
   void expect_ghosts() const {
+    if (document_.motion().frame_count() != saved_motion_.frame_count()) {
+      const Changes changes = document_.find_changes();
+      ASSERT_EQ(changes.added_frames - changes.removed_frames,
+                document_.motion().frame_count() - saved_motion_.frame_count());
+      for (ChannelIndex c = 0; c < saved_motion_.channel_count(); ++c) ASSERT_TRUE(document_.saved_samples(c).empty());
+      return;
+    }
+    if (document_.find_changes().removed_frames > 0) return;
     for (ChannelIndex channel = 0; channel < saved_motion_.channel_count(); ++channel) {
       const std::span<const double> ghost = document_.saved_samples(channel);
       const std::span<const double> shown = ghost.empty() ? document_.motion().channel_samples(channel) : ghost;
