@@ -2,7 +2,8 @@
 const basics = ["core/base", "core/math", "core/skeleton", "core/motion"];
 const mechanics = [...basics, "core/kinematics"];
 const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
-  "core/retargeting", "core/constraints", "core/table", "core/lint", "core/document"];
+  "core/retargeting", "core/constraints", "core/table", "core/lint",
+  "core/interchange", "core/document"];
 
 const arrows = {
   "core/base": [],
@@ -19,6 +20,7 @@ const arrows = {
   "core/constraints": mechanics,
   "core/table": mechanics,
   "core/lint": mechanics,
+  "core/interchange": [...mechanics, "core/bvh", "core/lint"],
   "core/document": core,
   cli: core,
   "wasm/render": core,
