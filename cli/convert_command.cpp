@@ -5,13 +5,16 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/export_json.h"
 #include "cli/files.h"
 #include "cli/frame_selection.h"
+#include "cli/lint_report.h"
 #include "cli/report.h"
 #include "cli/table_output.h"
 #include "core/base/counted.h"
 #include "core/base/number_text.h"
 #include "core/bvh/writer.h"
+#include "core/interchange/export.h"
 #include "core/motion/resampling.h"
 
 namespace marey::cli {
@@ -23,6 +26,9 @@ struct ConvertOptions {
   std::string format;           ///< "bvh", "csv"; empty: by the extension of the output
   std::string frames;           ///< empty: all
   double frames_per_second = 0.0;  ///< 0: as they are
+  std::string target;              ///< id of the program to write for; empty: none
+  std::string reference_pose;      ///< "yes", "no"; empty: as the target wants it
+  bool with_report = false;        ///< print as JSON what writing for the target did
 };
 
 std::string check_frames(const std::string& text) {
@@ -73,11 +79,46 @@ bool apply_options(const ConvertOptions& options, BvhClip& clip) {
   return true;
 }
 
+std::string check_target(const std::string& text) {
+  if (find_export_target(text)) return {};
+  return fmt::format("\"{}\" is no target; marey targets lists them", text);
+}
+
+/// False if the options contradict each other, which has been reported.
+bool check_options(const ConvertOptions& options, const std::string& format) {
+  const char* problem = nullptr;
+  if (options.target.empty()) {
+    if (options.with_report || !options.reference_pose.empty()) problem = "--json and --reference-pose go with --for.";
+  } else if (format != "bvh") {
+    problem = "--for writes BVH.";
+  } else if (options.with_report && options.output == "-") {
+    problem = "--json wants standard output for itself; name a file to write.";
+  }
+  if (problem != nullptr) report_usage_error(problem);
+  return problem == nullptr;
+}
+
+ExitCode write_for_target(const ConvertOptions& options, const BvhClip& clip) {
+  const ExportTarget target = find_export_target(options.target).value_or(ExportTarget::Strict);
+  ExportOptions export_options;
+  if (!options.reference_pose.empty()) export_options.reference_pose = options.reference_pose == "yes";
+  const Result<ExportedClip> exported = export_for_target(make_clip(clip), target, export_options);
+  if (!exported) {
+    report_error(options.input.file, exported.error());
+    return ExitCode::BadInput;
+  }
+  if (!write_bytes(options.output, write_exported(*exported))) return ExitCode::BadInput;
+  if (options.with_report) return write_bytes("-", export_json(target, *exported)) ? ExitCode::Done : ExitCode::BadInput;
+  for (const ExportChange& change : exported->changes) report_note(options.input.file, {}, change.message);
+  return ExitCode::Done;
+}
+
 ExitCode run_convert(const ConvertOptions& options) {
   const std::optional<std::string> format = output_format(options);
-  if (!format) return ExitCode::BadInput;
+  if (!format || !check_options(options, *format)) return ExitCode::BadInput;
   std::optional<BvhClip> clip = read_clip_for_use(options.input);
   if (!clip || !apply_options(options, *clip)) return ExitCode::BadInput;
+  if (!options.target.empty()) return write_for_target(options, *clip);
   if (*format == "csv") return write_channel_table(options.output, clip->skeleton, clip->motion);
   const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);
   return write_bytes(options.output, text) ? ExitCode::Done : ExitCode::BadInput;
@@ -94,6 +135,12 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
       ->check(CLI::IsMember({"bvh", "csv"}));
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1, both included")->check(check_frames);
   command->add_option("--fps", options->frames_per_second, "Frames per second to resample to")->check(check_rate);
+  command->add_option("--for", options->target, "Write BVH as a program wants it, at a cost; marey targets lists them")
+      ->check(check_target);
+  command->add_option("--reference-pose", options->reference_pose,
+                      "With --for: whether the rest pose is the first frame; by default as the program wants it")
+      ->check(CLI::IsMember({"yes", "no"}));
+  command->add_flag("--json", options->with_report, "With --for: print what was changed, and what that costs, as JSON");
   command->callback([options, &exit_code] { exit_code = run_convert(*options); });
 }
 
