@@ -34,17 +34,29 @@ void append_row_start(const Motion& motion, FrameIndex frame, std::string& out) 
   append_number_field(frame * motion.frame_time_s(), out);
 }
 
-std::string_view channel_name(const Channel& channel) {
-  return channel.kind == ChannelKind::Other ? std::string_view(channel.other_name) : channel_keyword(channel.kind);
+std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : fmt::format("[{}]", unit); }
+
+std::string_view unit_of(ChannelKind kind, std::string_view length_unit) {
+  if (is_position(kind)) return length_unit;
+  return is_rotation(kind) && !length_unit.empty() ? "deg" : "";
 }
+
+std::string_view row_labels(std::string_view length_unit) { return length_unit.empty() ? "frame,time" : "frame,time[s]"; }
 
 }  // namespace
 
-void append_channel_header(const Skeleton& skeleton, std::string& out) {
-  out += "frame,time";
-  for (const Channel& channel : skeleton.channels()) {
+std::string channel_column_name(const Skeleton& skeleton, ChannelIndex index) {
+  const Channel& channel = skeleton.channel(index);
+  const bool is_known = channel.kind != ChannelKind::Other;
+  return fmt::format("{}.{}", skeleton.name(channel.joint), is_known ? channel_keyword(channel.kind) : channel.other_name);
+}
+
+void append_channel_header(const Skeleton& skeleton, std::string& out, std::string_view length_unit) {
+  out += row_labels(length_unit);
+  for (ChannelIndex channel = 0; channel < skeleton.channel_count(); ++channel) {
+    const std::string_view unit = unit_of(skeleton.channel(channel).kind, length_unit);
     out += ',';
-    append_text_field(fmt::format("{}.{}", skeleton.name(channel.joint), channel_name(channel)), out);
+    append_text_field(channel_column_name(skeleton, channel) + in_brackets(unit), out);
   }
   out += '\n';
 }
@@ -59,13 +71,13 @@ void append_channel_rows(const Motion& motion, FrameRange frames, std::string& o
   }
 }
 
-void append_position_header(const Skeleton& skeleton, std::string& out) {
-  out += "frame,time";
+void append_position_header(const Skeleton& skeleton, std::string& out, std::string_view length_unit) {
+  out += row_labels(length_unit);
   for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
     const std::string label = node_label(skeleton, node);
     for (const char axis : std::array{'x', 'y', 'z'}) {
       out += ',';
-      append_text_field(fmt::format("{}.{}", label, axis), out);
+      append_text_field(fmt::format("{}.{}{}", label, axis, in_brackets(length_unit)), out);
     }
   }
   out += '\n';

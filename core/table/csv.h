@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/motion/motion.h"
 #include "core/skeleton/position_rule.h"
@@ -13,13 +14,18 @@ namespace marey {
 // frame. A number is the shortest text that reads back as the same double. A name that holds a comma, a quote or a line
 // break stands in quotes. Rows are appended for a range of frames, so that long clips can be written piece by piece.
 
-/// "frame,time,Hips.Xposition,Hips.Yposition,...": the columns of a BVH file.
-void append_channel_header(const Skeleton& skeleton, std::string& out);
+/// "Hips.Xposition": the name of a channel's column.
+[[nodiscard]] std::string channel_column_name(const Skeleton& skeleton, ChannelIndex channel);
+
+/// "frame,time,Hips.Xposition,Hips.Yposition,...": the columns of a BVH file. With a unit of length the names carry
+/// units: "frame,time[s],Hips.Xposition[cm],Hips.Zrotation[deg],...".
+void append_channel_header(const Skeleton& skeleton, std::string& out, std::string_view length_unit = {});
 /// Samples in degrees and file units. `frames` lies within the motion.
 void append_channel_rows(const Motion& motion, FrameRange frames, std::string& out);
 
 /// "frame,time,Hips.x,Hips.y,Hips.z,...": joints in file order, an end site as "<joint>_end" behind its joint.
-void append_position_header(const Skeleton& skeleton, std::string& out);
+/// With a unit of length: "frame,time[s],Hips.x[cm],...".
+void append_position_header(const Skeleton& skeleton, std::string& out, std::string_view length_unit = {});
 /// World positions in file units. `frames` lies within the motion.
 void append_position_rows(const Skeleton& skeleton, const Motion& motion, FrameRange frames, PositionRule rule,
                           std::string& out);

@@ -18,7 +18,7 @@ const arrows = {
   "core/biomechanics": mechanics,
   "core/retargeting": mechanics,
   "core/constraints": mechanics,
-  "core/table": mechanics,
+  "core/table": [...mechanics, "core/bvh"],
   "core/lint": mechanics,
   "core/interchange": [...mechanics, "core/bvh", "core/lint"],
   "core/document": core,

@@ -39,6 +39,16 @@ TEST(Csv, NamesPositionsByNodeAndAxis) {
   EXPECT_EQ(out, "frame,time,Hips.x,Hips.y,Hips.z,Arm.x,Arm.y,Arm.z,Arm_end.x,Arm_end.y,Arm_end.z\n");
 }
 
+TEST(Csv, WritesUnitsOnWish) {
+  const Skeleton skeleton = arm_with_names("Hips", "Arm");
+  std::string channels;
+  append_channel_header(skeleton, channels, "cm");
+  EXPECT_EQ(channels, "frame,time[s],Hips.Xposition[cm],Hips.Zrotation[deg],Arm.Wobble\n");
+  std::string positions;
+  append_position_header(skeleton, positions, "m");
+  EXPECT_THAT(positions, testing::StartsWith("frame,time[s],Hips.x[m],Hips.y[m],"));
+}
+
 TEST(Csv, QuotesNamesThatWouldBreakTheTable) {
   EXPECT_EQ(channel_header(arm_with_names("a,b", "say \"hi\"")),
             "frame,time,\"a,b.Xposition\",\"a,b.Zrotation\",\"say \"\"hi\"\".Wobble\"\n");
