@@ -18,6 +18,7 @@ void add_check_command(CLI::App& program, ExitCode& exit_code);
 void add_targets_command(CLI::App& program, ExitCode& exit_code);
 
 /// Adds the positional FILE and --strict.
-void add_input(CLI::App& command, Input& input, const std::string& name = "FILE");
+void add_input(CLI::App& command, Input& input, const std::string& name = "FILE",
+               const std::string& kind = "BVH file");
 
 }  // namespace marey::cli

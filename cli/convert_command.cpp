@@ -10,6 +10,7 @@
 #include "cli/frame_selection.h"
 #include "cli/lint_report.h"
 #include "cli/report.h"
+#include "cli/table_input.h"
 #include "cli/table_output.h"
 #include "core/base/counted.h"
 #include "core/base/number_text.h"
@@ -24,6 +25,9 @@ struct ConvertOptions {
   Input input;
   std::string output;
   std::string format;           ///< "bvh", "csv"; empty: by the extension of the output
+  std::string input_format;     ///< "bvh", "csv"; empty: by the extension of the input
+  std::string figure;           ///< BVH file with the figure of a table of channels; empty: none
+  std::string length_unit;      ///< to be written into the header of a table; empty: none
   std::string frames;           ///< empty: all
   double frames_per_second = 0.0;  ///< 0: as they are
   std::string target;              ///< id of the program to write for; empty: none
@@ -47,12 +51,21 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+bool has_extension(const std::string& file, std::string_view extension) {
+  return lower_case(std::filesystem::path(file).extension().string()) == extension;
+}
+
+bool is_table(const ConvertOptions& options) {
+  return options.input_format.empty() ? has_extension(options.input.file, ".csv") : options.input_format == "csv";
+}
+
 /// "bvh" or "csv"; nothing if the output's extension is neither, which has been reported.
 std::optional<std::string> output_format(const ConvertOptions& options) {
   if (!options.format.empty()) return options.format;
   if (options.output == "-") return "bvh";
-  const std::string extension = lower_case(std::filesystem::path(options.output).extension().string());
-  if (extension == ".bvh" || extension == ".csv") return extension.substr(1);
+  for (const char* format : {"bvh", "csv"}) {
+    if (has_extension(options.output, fmt::format(".{}", format))) return format;
+  }
   report_error(options.output, {}, "The extension of a file to write is .bvh or .csv; --to names another format.");
   return std::nullopt;
 }
@@ -94,6 +107,8 @@ bool check_options(const ConvertOptions& options, const std::string& format) {
   } else if (options.with_report && options.output == "-") {
     problem = "--json wants standard output for itself; name a file to write.";
   }
+  if (!options.figure.empty() && !is_table(options)) problem = "--skeleton goes with a table to read.";
+  if (!options.length_unit.empty() && format != "csv") problem = "--units goes with a table to write.";
   if (problem != nullptr) report_usage_error(problem);
   return problem == nullptr;
 }
@@ -116,10 +131,11 @@ ExitCode write_for_target(const ConvertOptions& options, const BvhClip& clip) {
 ExitCode run_convert(const ConvertOptions& options) {
   const std::optional<std::string> format = output_format(options);
   if (!format || !check_options(options, *format)) return ExitCode::BadInput;
-  std::optional<BvhClip> clip = read_clip_for_use(options.input);
+  std::optional<BvhClip> clip =
+      is_table(options) ? read_table(options.input, options.figure) : read_clip_for_use(options.input);
   if (!clip || !apply_options(options, *clip)) return ExitCode::BadInput;
   if (!options.target.empty()) return write_for_target(options, *clip);
-  if (*format == "csv") return write_channel_table(options.output, clip->skeleton, clip->motion);
+  if (*format == "csv") return write_channel_table(options.output, *clip, options.length_unit);
   const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);
   return write_bytes(options.output, text) ? ExitCode::Done : ExitCode::BadInput;
 }
@@ -128,11 +144,16 @@ ExitCode run_convert(const ConvertOptions& options) {
 
 void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* command = program.add_subcommand("convert", "Write a clip or a part of it as BVH or as CSV of its channels");
-  add_input(*command, options->input, "IN");
+  CLI::App* command = program.add_subcommand("convert", "Write a clip, or the clip of a table, as BVH or as CSV of its channels");
+  add_input(*command, options->input, "IN", "BVH or CSV file");
   command->add_option("OUT", options->output, "File to write, .bvh or .csv; - for standard output")->required();
   command->add_option("--to", options->format, "Format to write, whatever the extension")
       ->check(CLI::IsMember({"bvh", "csv"}));
+  command->add_option("--from", options->input_format, "Format to read, whatever the extension")
+      ->check(CLI::IsMember({"bvh", "csv"}));
+  command->add_option("--skeleton", options->figure,
+                      "BVH file with the figure that a table of channels moves; without it a table is one of points");
+  add_units(*command, options->length_unit);
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1, both included")->check(check_frames);
   command->add_option("--fps", options->frames_per_second, "Frames per second to resample to")->check(check_rate);
   command->add_option("--for", options->target, "Write BVH as a program wants it, at a cost; marey targets lists them")

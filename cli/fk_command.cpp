@@ -10,6 +10,7 @@ namespace {
 struct FkOptions {
   Input input;
   std::string output = "-";
+  std::string length_unit;
   std::string positions;  ///< "replace", "add"; empty: as the file's numbers speak
 };
 
@@ -19,7 +20,7 @@ ExitCode run_fk(const FkOptions& options) {
   if (!options.positions.empty()) {
     clip->position_rule = options.positions == "add" ? PositionRule::Add : PositionRule::Replace;
   }
-  return write_position_table(options.output, *clip);
+  return write_position_table(options.output, *clip, options.length_unit);
 }
 
 }  // namespace
@@ -32,6 +33,7 @@ void add_fk_command(CLI::App& program, ExitCode& exit_code) {
   command->add_option("--positions", options->positions,
                       "Position channels replace OFFSET or are added to it; by default as the file's numbers speak")
       ->check(CLI::IsMember({"replace", "add"}));
+  add_units(*command, options->length_unit);
   command->callback([options, &exit_code] { exit_code = run_fk(*options); });
 }
 

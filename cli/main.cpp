@@ -10,8 +10,8 @@
 
 namespace marey::cli {
 
-void add_input(CLI::App& command, Input& input, const std::string& name) {
-  command.add_option(name, input.file, "BVH file, - for standard input")->required();
+void add_input(CLI::App& command, Input& input, const std::string& name, const std::string& kind) {
+  command.add_option(name, input.file, kind + ", - for standard input")->required();
   command.add_flag("--strict", input.strict, "Refuse what would otherwise be repaired");
 }
 

@@ -1,5 +1,6 @@
 #include "cli/table_output.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "cli/files.h"
@@ -25,20 +26,25 @@ ExitCode write_table(const std::string& file, std::string header, int frame_coun
 
 }  // namespace
 
-ExitCode write_channel_table(const std::string& file, const Skeleton& skeleton, const Motion& motion) {
+ExitCode write_channel_table(const std::string& file, const BvhClip& clip, const std::string& length_unit) {
   std::string header;
-  append_channel_header(skeleton, header);
-  return write_table(file, std::move(header), motion.frame_count(),
-                     [&](FrameRange frames, std::string& out) { append_channel_rows(motion, frames, out); });
+  append_channel_header(clip.skeleton, header, length_unit);
+  return write_table(file, std::move(header), clip.motion.frame_count(),
+                     [&](FrameRange frames, std::string& out) { append_channel_rows(clip.motion, frames, out); });
 }
 
-ExitCode write_position_table(const std::string& file, const BvhClip& clip) {
+ExitCode write_position_table(const std::string& file, const BvhClip& clip, const std::string& length_unit) {
   std::string header;
-  append_position_header(clip.skeleton, header);
+  append_position_header(clip.skeleton, header, length_unit);
   const auto append_rows = [&](FrameRange frames, std::string& out) {
     append_position_rows(clip.skeleton, clip.motion, frames, clip.position_rule, out);
   };
   return write_table(file, std::move(header), clip.motion.frame_count(), append_rows);
+}
+
+void add_units(CLI::App& command, std::string& length_unit) {
+  command.add_option("--units", length_unit, "Write units into the header of a table, lengths in this one, which BVH does not tell")
+      ->check(CLI::IsMember({"m", "cm", "mm", "in", "ft", "unit"}));
 }
 
 }  // namespace marey::cli
