@@ -128,6 +128,9 @@ TEST(ChannelTable, StrictReadingRefusesRepairs) {
   const TableOptions strict{.strict = true, .limits = {}};
   EXPECT_EQ(channels_refused("time,Knee.Xrotation\n0,1\n1,2\n", strict).code, Code::TableColumnMissing);
   EXPECT_EQ(channels_refused(std::string(kPlain) + "3,1,1,2", strict).code, Code::PartialFrame);
+  EXPECT_EQ(channels_refused(std::string(kPlain) + "3,1,1,,2,4\n", strict).code, Code::TableGap);
+  EXPECT_EQ(channels_refused(std::string(kPlain) + "3,1,1,nan,2,4\n", strict).code, Code::NotFinite);
+  EXPECT_EQ(points_refused("A.x,Note\n1,2\n", strict).code, Code::TableColumnUnknown);
   EXPECT_TRUE(read_channel_table(kPlain, figure(), strict));
 }
 
