@@ -46,7 +46,12 @@ bool FieldReader::next_row(std::vector<TableField>& fields) {
 
 void FieldReader::read_fields(std::vector<TableField>& fields) {
   while (true) {
-    fields.push_back(read_field());
+    const TableField field = read_field();
+    if (fields.size() < kMostFields) {
+      fields.push_back(field);
+    } else if (!field.text.empty()) {
+      fields.back() = field;
+    }
     const char end = offset_ < text_.size() ? text_[offset_] : '\0';
     row_was_ended_ = offset_ < text_.size();
     if (end != separator_ || !row_was_ended_) break;

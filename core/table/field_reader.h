@@ -21,6 +21,9 @@ struct TableField {
 /// ends, rows of nothing but blanks and separators are passed over. The text must outlive the reader.
 class FieldReader {
  public:
+  /// Of a row with more fields, such as a text of nothing but separators, so many are kept, the last of them with text.
+  static constexpr std::size_t kMostFields = 400'000;
+
   FieldReader(std::string_view text, std::size_t offset, char separator)
       : text_(text), offset_(offset), separator_(separator) {}
 

@@ -109,7 +109,12 @@ std::optional<double> exact_step(const std::vector<double>& times) {
 std::vector<TableColumn> read_header(FieldReader& rows, Report& report) {
   std::vector<TableField> fields;
   std::vector<TableColumn> columns;
-  if (rows.next_row(fields)) drop_surplus(fields, 0);
+  if (rows.next_row(fields) && fields.size() == FieldReader::kMostFields) {
+    report.fail(Code::LimitChannels, fields.front().offset,
+                fmt::format("The table has {} columns or more.", FieldReader::kMostFields));
+    return columns;
+  }
+  drop_surplus(fields, 0);
   for (const TableField& field : fields) {
     const std::string name = field.value();
     const ColumnName parts = split_unit(name);

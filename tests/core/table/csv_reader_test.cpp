@@ -183,6 +183,8 @@ TEST(PointsTable, KeepsToItsLimits) {
   TableOptions few;
   few.limits.max_frames = 1;
   EXPECT_EQ(points_refused("A.x\n1\n2\n", few).code, Code::LimitFrames);
+  EXPECT_EQ(points_refused("A.x" + std::string(500'000, ';') + "B.x\n1;2\n").code, Code::LimitChannels);
+  EXPECT_EQ(points_refused("A.x;B.x\n1;2" + std::string(500'000, ';') + "3\n").code, Code::RowLength);
   TableOptions small;
   small.limits.max_sample_bytes = 40;
   EXPECT_EQ(points_refused("A.x,A.y\n1,2\n3,4\n", small).code, Code::LimitMemory);
