@@ -56,9 +56,10 @@ constexpr std::array<TargetNeed, 4> kThreeNeeds = {{
     {R::WordNames, "It cuts names at blanks, plays by name, and takes ':', '/' and brackets for parts of a path."},
 }};
 
-constexpr std::array<TargetNeed, 3> kBvhViewNeeds = {{
+constexpr std::array<TargetNeed, 4> kBvhViewNeeds = {{
     {R::OneRoot, "It stops at a second root."},
     {R::WholePositions, "Its positions replace OFFSET."},
+    {R::ThreeRotationsOrNone, "A joint with more than six channels overruns its memory."},
     {R::AsciiNames, "It takes letters, digits, '_', ':', '.' and '-' only."},
 }};
 

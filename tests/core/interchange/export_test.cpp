@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bvh/reader.h"
+#include "core/lint/lint.h"
 #include "core/motion/resampling.h"
 #include "tests/core/interchange/export_checks.h"
 #include "tests/core/kinematics/figures.h"
@@ -103,6 +104,27 @@ TEST(Export, StrictFilesAreReadStrictly) {
     const std::size_t rows = text.find("Frame Time:");
     EXPECT_EQ(text.find_first_of("eE", text.find('\n', rows)), std::string::npos) << "an exponent";
   }
+}
+
+TEST(Export, TheLinterFindsNothingAboutTheTreeOfAStrictFile) {
+  int before = 0;
+  const auto count = [](const Clip& clip, std::string* found) {
+    int findings = 0;
+    for (const Finding& finding : lint_clip(clip).findings) {
+      if (finding.kind > FindingKind::UnusualChannelOrder || finding.kind == FindingKind::ZeroLengthBone) continue;
+      ++findings;
+      if (found != nullptr) *found += finding.message + "\n";
+    }
+    return findings;
+  };
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    const Clip clip = random_clip(seed);
+    before += count(clip, nullptr);
+    const ExportedClip exported = *export_for_target(clip, ExportTarget::Strict);
+    std::string found;
+    EXPECT_EQ(count({exported.skeleton, exported.motion, {}}, &found), 0) << seed << ": " << found;
+  }
+  EXPECT_GT(before, 40);
 }
 
 TEST(Export, WhatIsStrictAlreadyStaysAsItIs) {
