@@ -8,8 +8,8 @@ import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { AnimationMixer, LoopOnce, Vector3 } from "three";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
-import { root } from "./support/cli.mjs";
-import { compare, cutFile, exportFile, hasRecordedFiles, recordedFiles } from "./support/exports.mjs";
+import { root, sampleNames } from "./support/cli.mjs";
+import { compare, cutFile, exportFile, sourceFiles } from "./support/exports.mjs";
 
 const tolerance = 1e-4; // of the stature
 const hasBlender = spawnSync("blender", ["--version"]).status === 0;
@@ -18,7 +18,7 @@ let folder;
 let cuts;
 before(() => {
   folder = mkdtempSync(join(tmpdir(), "marey-export-"));
-  cuts = hasRecordedFiles ? recordedFiles().map((name) => ({ name, cut: cutFile(name, folder) })).filter(({ cut }) => cut) : [];
+  cuts = sourceFiles().map((source) => ({ name: source.name, cut: cutFile(source, folder) })).filter(({ cut }) => cut);
 });
 after(() => rmSync(folder, { recursive: true }));
 
@@ -131,7 +131,7 @@ function blenderPoints(text, { bones, frames }) {
   return (node, frame) => (columns.has(node) ? frames[frame].slice(columns.get(node), columns.get(node) + 3) : undefined);
 }
 
-describe("exported files", { skip: !hasRecordedFiles && "no recorded files" }, () => {
+describe("exported files", () => {
   for (const target of ["three", "strict"]) {
     test(`for ${target} move in three.js as in Marey`, (t) => {
       const tally = new Tally();
@@ -142,7 +142,7 @@ describe("exported files", { skip: !hasRecordedFiles && "no recorded files" }, (
         tally.add(name, exported, point);
       }
       t.diagnostic(`${target}: ${tally}`);
-      assert.ok(tally.files >= 45, `only ${tally.files} files were compared`);
+      assert.ok(tally.files >= sampleNames.length, `only ${tally.files} files were compared`);
     });
   }
 
@@ -156,7 +156,7 @@ describe("exported files", { skip: !hasRecordedFiles && "no recorded files" }, (
         tally.add(exported.name, exported, blenderPoints(exported.text, answers[i]));
       });
       t.diagnostic(`${target}: ${tally}`);
-      assert.ok(tally.files >= 45, `only ${tally.files} files were compared`);
+      assert.ok(tally.files >= sampleNames.length, `only ${tally.files} files were compared`);
     });
   }
 });

@@ -1,18 +1,20 @@
-// Recorded files cut to their first frames, written for a program by the command line, beside Marey's own world
+// The samples and recorded files, cut to their first frames, written for a program by the command line, beside Marey's own world
 // positions of what was cut.
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { root, run, succeed } from "./cli.mjs";
+import { root, run, sample, sampleNames, succeed } from "./cli.mjs";
 
-const shared = process.env.MAREY_SHARED_DIR ?? join(root, "../shared");
-export const recordedFolder = join(shared, "bvh");
-export const hasRecordedFiles = existsSync(recordedFolder);
-export const mostFrames = 40;
+const recordedFolder = join(process.env.MAREY_SHARED_DIR ?? join(root, "../shared"), "bvh");
+const mostFrames = 40;
 
-export const recordedFiles = () =>
-  readdirSync(recordedFolder, { recursive: true })
-    .filter((name) => name.toLowerCase().endsWith(".bvh"))
-    .sort();
+/** { name, file }: the samples, and the recorded files where that folder is there. */
+export function sourceFiles() {
+  const recorded = existsSync(recordedFolder) ? readdirSync(recordedFolder, { recursive: true }) : [];
+  return [
+    ...sampleNames.map((name) => ({ name, file: sample(name) })),
+    ...recorded.filter((name) => name.toLowerCase().endsWith(".bvh")).sort().map((name) => ({ name, file: join(recordedFolder, name) })),
+  ];
+}
 
 const infoOf = (file) => JSON.parse(run(["info", file, "--json"]).stdout);
 
@@ -23,11 +25,10 @@ function worldPositions(file) {
 }
 
 /** The first frames of a file in a file of their own; undefined where it cannot be read. */
-export function cutFile(name, folder) {
-  const file = join(recordedFolder, name);
+export function cutFile({ name, file }, folder) {
   const { error, frame_count: frames } = infoOf(file);
   if (error) return undefined;
-  const cut = join(folder, `${name.replaceAll(/[^\w.]/g, "_")}`);
+  const cut = join(folder, `${name.replaceAll(/[^\w.]/g, "_").replace(/\.bvh$/i, "")}.bvh`);
   const range = frames > 0 ? ["--frames", `1:${Math.min(frames, mostFrames)}`] : [];
   run(["convert", file, cut, ...range]);
   return cut;
