@@ -89,11 +89,16 @@ bool Document::redo() {
   return history_.redo(clip_);
 }
 
-std::string Document::save_text() const {
-  if (clip_.file_frames.empty()) return write_bvh(clip_.skeleton, clip_.motion, style_);
+BvhStyle Document::style_of_frames() const {
   BvhStyle style = style_;
-  style.motion = with_frames(style_.motion, clip_.file_frames);
-  return write_bvh(clip_.skeleton, clip_.motion, style);
+  if (!clip_.file_frames.empty()) style.motion = with_frames(style_.motion, clip_.file_frames);
+  return style;
+}
+
+std::string Document::save_text() const { return write_bvh(clip_.skeleton, clip_.motion, style_of_frames()); }
+
+std::string Document::save_text(const SaveOptions& options) const {
+  return write_bvh(clip_.skeleton, clip_.motion, style_of_frames(), options);
 }
 
 void Document::mark_saved() {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/bvh/bvh_clip.h"
+#include "core/bvh/save_options.h"
 #include "core/document/changes.h"
 #include "core/editing/history.h"
 
@@ -47,6 +48,8 @@ class Document {
 
   /// The clip as a BVH file in the opened file's style.
   [[nodiscard]] std::string save_text() const;
+  /// The same but for what `options` ask; its frames lie within the clip.
+  [[nodiscard]] std::string save_text(const SaveOptions& options) const;
   /// Call when the text has reached the user. The ghosts are forgotten.
   void mark_saved();
 
@@ -57,6 +60,7 @@ class Document {
   [[nodiscard]] Changes find_changes() const;
 
  private:
+  [[nodiscard]] BvhStyle style_of_frames() const;
   void keep_ghosts(const Edit& edit);
   void keep_gesture_ghosts(GestureId gesture);
   void keep_channel_ghost(ChannelIndex channel);
