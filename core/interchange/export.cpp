@@ -146,14 +146,14 @@ Result<ExportedClip> export_for_target(const Clip& clip, ExportTarget target, co
   return exported;
 }
 
-std::string write_exported(const ExportedClip& clip) {
+std::string write_exported(const ExportedClip& clip, const SaveOptions& options) {
   BvhStyle style;
   NumberFormat plain;
   plain.exponent_below = -kMaxDecimals;
   plain.exponent_from = kMaxDecimals;
   style.header.offset_format = plain;
   style.motion.columns.assign(idx(clip.skeleton.channel_count()), ColumnStyle{" ", plain});
-  return write_bvh(clip.skeleton, clip.motion, style);
+  return write_bvh(clip.skeleton, clip.motion, style, options);
 }
 
 }  // namespace marey

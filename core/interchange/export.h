@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/bvh/save_options.h"
 #include "core/interchange/export_target.h"
 #include "core/motion/clip.h"
 
@@ -74,7 +75,8 @@ struct ExportOptions {
 [[nodiscard]] Result<ExportedClip> export_for_target(const Clip& clip, ExportTarget target,
                                                      const ExportOptions& options = {});
 
-/// The BVH file: the canonical form, without exponents, LF, UTF-8.
-[[nodiscard]] std::string write_exported(const ExportedClip& clip);
+/// The BVH file: the canonical form, without exponents, LF, UTF-8, but for what `options` ask; their frames count those
+/// of the exported clip.
+[[nodiscard]] std::string write_exported(const ExportedClip& clip, const SaveOptions& options = {});
 
 }  // namespace marey

@@ -33,6 +33,7 @@ void add_all_commands(AppParts& parts) {
   add_play_commands(parts.commands, parts.workspace);
   add_view_commands(parts.commands, parts.workspace);
   add_clip_commands(parts.commands, parts.workspace);
+  add_frame_commands(parts.commands, parts.workspace);
   add_help_commands(parts.commands, parts.workspace);
   parts.shell.add_commands(parts.commands, parts.workspace, parts.time_window);
 }

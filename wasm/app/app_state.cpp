@@ -97,7 +97,7 @@ void add_playback(json& state, const Playback& playback) {
   state["range"] = {{"first", playback.range().first}, {"count", playback.range().count}};
 }
 
-constexpr const char* kOverlayNames[] = {"none", "palette", "shortcuts", "about", "welcome"};
+constexpr const char* kOverlayNames[] = {"none", "palette", "shortcuts", "about", "welcome", "save_as"};
 constexpr const char* kSheetNames[] = {"none", "curves", "joints", "inspector"};
 
 void add_interface(json& state, const AppParts& parts) {

@@ -11,10 +11,12 @@ namespace marey::app {
 /// The commands of the shell; those of a view are registered by the view. `workspace` outlives the registry.
 /// Arguments are documented in docs/page-api.md.
 void add_file_commands(CommandRegistry& registry, Workspace& workspace);
+void add_save_commands(CommandRegistry& registry, Workspace& workspace);
 void add_edit_commands(CommandRegistry& registry, Workspace& workspace);
 void add_play_commands(CommandRegistry& registry, Workspace& workspace);
 void add_view_commands(CommandRegistry& registry, Workspace& workspace);
 void add_clip_commands(CommandRegistry& registry, Workspace& workspace);
+void add_frame_commands(CommandRegistry& registry, Workspace& workspace);
 void add_help_commands(CommandRegistry& registry, Workspace& workspace);
 
 /// "walk.bvh" for "walk.bvh", "walk.BVH", "walk.txt" and "walk"; "clip.bvh" for an empty name.

@@ -8,16 +8,6 @@ namespace {
 
 using nlohmann::json;
 
-json download(Workspace& workspace) {
-  Document& document = workspace.session.document;
-  const std::string name = download_name(document.file_name());
-  const std::string text = document.save_text();
-  workspace.backend.download(name, text);
-  document.mark_saved();
-  workspace.notify("Downloaded " + name + ".");
-  return {{"name", name}, {"bytes", text.size()}};
-}
-
 Command make_sample_command(const Sample& sample, Workspace& workspace) {
   Command command;
   command.id = "file.sample." + std::string(sample.id);
@@ -58,13 +48,7 @@ void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
                   workspace.backend.ask_for_file();
                   return nullptr;
                 }});
-  registry.add({.id = "file.save",
-                .label = "Download",
-                .help = "Saves the clip as a BVH file. What was not edited comes out unchanged.",
-                .shortcut = "Ctrl+S",
-                .icon = icons::kDownload,
-                .run = [&workspace](const json&) { return download(workspace); },
-                .blocked = [&workspace] { return needs_clip(workspace); }});
+  add_save_commands(registry, workspace);
   registry.add({.id = "file.previous",
                 .label = "Go back to the other file",
                 .help = "Shows the file again that was open before, with the changes that were not downloaded.",

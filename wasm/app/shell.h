@@ -11,6 +11,7 @@
 #include "wasm/views/inspector_view.h"
 #include "wasm/views/message_strip.h"
 #include "wasm/views/outliner_view.h"
+#include "wasm/views/save_as_view.h"
 #include "wasm/views/shortcut_sheet.h"
 #include "wasm/views/timeline_view.h"
 #include "wasm/views/title_bar.h"
@@ -52,6 +53,7 @@ class Shell {
   ShortcutSheet shortcut_sheet_;
   AboutView about_;
   WelcomeView welcome_;
+  SaveAsView save_as_;
 };
 
 }  // namespace marey::app

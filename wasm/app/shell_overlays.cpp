@@ -10,6 +10,7 @@ void Shell::draw_overlays(ViewContext& context, Workspace& workspace) {
     case Overlay::Shortcuts: shortcut_sheet_.draw(context, open); break;
     case Overlay::About: about_.draw(context, open); break;
     case Overlay::Welcome: welcome_.draw(context, open); break;
+    case Overlay::SaveAs: save_as_.draw(context, open); break;
     case Overlay::None: return;
   }
   // A command that ran from the window may have opened another one.

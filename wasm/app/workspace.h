@@ -12,7 +12,7 @@
 namespace marey::app {
 
 /// Windows above the panels; at most one is open.
-enum class Overlay { None, Palette, Shortcuts, About, Welcome };
+enum class Overlay { None, Palette, Shortcuts, About, Welcome, SaveAs };
 
 /// What the program has open and how it is shown. Commands change it, views show it.
 struct Workspace {

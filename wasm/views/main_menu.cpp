@@ -4,7 +4,7 @@ namespace marey::app {
 namespace {
 
 constexpr std::string_view kFile[] = {
-    "file.open", "file.save", "file.previous", "", "file.samples", "", "file.sample.giant-swing", "file.sample.walk", "file.sample.pendulum",
+    "file.open", "file.save", "file.save_as", "file.previous", "", "file.samples", "", "file.sample.giant-swing", "file.sample.walk", "file.sample.pendulum",
     "file.sample.double-pendulum", "file.sample.robot-arm"};
 
 constexpr std::string_view kEdit[] = {
@@ -14,7 +14,8 @@ constexpr std::string_view kEdit[] = {
 constexpr std::string_view kClip[] = {
     "play.toggle", "play.loop", "play.first", "play.last", "play.previous", "play.next", "", "#Speed", "play.slower",
     "play.faster", "play.normal_speed", "#Range", "play.range_in", "play.range_out", "play.range_clear", "#File says",
-    "clip.up_axis.y", "clip.up_axis.z", "clip.positions.replace", "clip.positions.add"};
+    "clip.up_axis.y", "clip.up_axis.z", "clip.positions.replace", "clip.positions.add",
+    "#Frames", "clip.first_frame.leave_out", "clip.frames.declared"};
 
 constexpr std::string_view kView[] = {
     "view.outliner", "view.inspector", "view.curves", "view.problems", "#Camera", "view.frame_all",
@@ -26,7 +27,7 @@ constexpr std::string_view kView[] = {
 constexpr std::string_view kHelp[] = {"help.shortcuts", "help.commands", "help.about"};
 
 constexpr std::string_view kCompact[] = {
-    "file.open", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
+    "file.open", "file.save_as", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
     "view.trails", "view.names", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
     "help.about"};
 

@@ -7,28 +7,13 @@
 
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
-#include "wasm/views/inspector/clip_page.h"
+#include "wasm/views/problems/problem_entry.h"
 
 namespace marey::app {
 namespace {
 
 constexpr float kPadding = 12.0f;
-constexpr float kTextIndent = 24.0f;
 constexpr float kLineHeight = 18.0f;
-
-struct SeverityLook {
-  const char* icon;
-  ImU32 color;
-};
-
-SeverityLook look_of(const Theme& theme, Severity severity) {
-  switch (severity) {
-    case Severity::Error: return {icons::kCircleAlert, theme.error};
-    case Severity::Warning: return {icons::kTriangleAlert, theme.warning};
-    case Severity::Note: break;
-  }
-  return {icons::kInfo, theme.accent};
-}
 
 std::string place_text(const Diagnostic& diagnostic) {
   std::string text = diagnostic.place.line > 0
@@ -47,45 +32,6 @@ void draw_nothing_found(const ViewContext& context, bool has_clip) {
   ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - kPadding);
   ui::dim_text(context, has_clip ? "Nothing to report: the file reads as it is written." : "No file is open.");
   ImGui::PopTextWrapPos();
-}
-
-// What can be read in another way has its alternatives below it.
-void draw_choices(ViewContext& context, DiagnosticCode code) {
-  switch (code) {
-    case DiagnosticCode::PositionsReplaceOffset:
-    case DiagnosticCode::PositionsAddToOffset:
-    case DiagnosticCode::PositionsAmbiguous: inspector::draw_position_choice(context); break;
-    case DiagnosticCode::MissingFrameTime:
-    case DiagnosticCode::FrameTimeNotPositive:
-    case DiagnosticCode::FrameTimeLooksLikeRate: inspector::draw_frame_time(context); break;
-    default: return;
-  }
-  ImGui::Dummy(ImVec2(0.0f, 4.0f));
-}
-
-void draw_message(const ViewContext& context, const Diagnostic& diagnostic, const std::string& message) {
-  const SeverityLook look = look_of(context.theme, diagnostic.severity);
-  ImGui::BeginGroup();
-  ImGui::PushStyleColor(ImGuiCol_Text, look.color);
-  ImGui::TextUnformatted(look.icon);
-  ImGui::PopStyleColor();
-  ImGui::SameLine(0.0f, kTextIndent - Fonts::kTextSize);
-  ImGui::BeginGroup();
-  ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - kPadding);
-  ImGui::TextUnformatted(message.c_str(), message.c_str() + message.size());
-  ui::dim_text(context, place_text(diagnostic));
-  ImGui::PopTextWrapPos();
-  ImGui::EndGroup();
-  ImGui::EndGroup();
-}
-
-void show_that_it_unfolds(ViewContext& context) {
-  const ImVec2 min = ImGui::GetItemRectMin();
-  const ImVec2 max = ImGui::GetItemRectMax();
-  ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  context.status = "Click to see the place in the text of the file.";
-  ImGui::GetWindowDrawList()->AddRectFilled({min.x - 6.0f, min.y - 4.0f}, {max.x + 6.0f, max.y + 4.0f},
-                                            with_alpha(context.theme.text, 0.05f), 4.0f);
 }
 
 /// Where the lines of an excerpt stand; what does not fit is cut off, the place never.
@@ -140,29 +86,19 @@ void ProblemsView::draw_excerpt(ViewContext& context, int index) const {
 }
 
 void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic, int index) {
-  const std::string message = ui::displayable(diagnostic.message);
   const bool has_excerpt = index < size_of(context.session.excerpts) && !context.session.excerpts[idx(index)].lines.empty();
-  ImGui::SetCursorPosX(kPadding);
-  const ImVec2 top = ImGui::GetCursorScreenPos();
-  draw_message(context, diagnostic, message);
-  const ImVec2 end = ImGui::GetCursorScreenPos();
-  ImGui::SetCursorScreenPos(top);
-  const std::string id = fmt::format("problems.entry.{}", index);
-  const ImVec2 size(ImGui::GetContentRegionAvail().x - kPadding, end.y - top.y);
-  if (ImGui::InvisibleButton(id.c_str(), size, ImGuiButtonFlags_EnableNav) && has_excerpt) {
-    unfolded_ = unfolded_ == index ? -1 : index;
-  }
-  context.items.add_last(id, message);
-  if (has_excerpt && ImGui::IsItemHovered()) show_that_it_unfolds(context);
-  ImGui::Dummy(ImVec2(0.0f, 6.0f));
+  ProblemEntry entry;
+  entry.id = fmt::format("problems.entry.{}", index);
+  entry.severity = diagnostic.severity;
+  entry.message = ui::displayable(diagnostic.message);
+  entry.details = {place_text(diagnostic)};
+  if (has_excerpt) entry.click_help = "Click to see the place in the text of the file.";
+  if (draw_problem_entry(context, entry)) unfolded_ = unfolded_ == index ? -1 : index;
   ImGui::Indent(kPadding);
   if (unfolded_ == index) draw_excerpt(context, index);
   ImGui::Unindent(kPadding);
-  draw_choices(context, diagnostic.code);
-  const float bottom = ImGui::GetCursorScreenPos().y;
-  ui::hairline(*ImGui::GetWindowDrawList(), ImVec2(top.x, bottom),
-               ImVec2(top.x + ImGui::GetWindowWidth() - 2.0f * kPadding, bottom), context.theme.line);
-  ImGui::Dummy(ImVec2(0.0f, 7.0f));
+  if (choices_.draw_below(context, diagnostic.code)) ImGui::Dummy(ImVec2(0.0f, 4.0f));
+  end_problem_entry(context);
 }
 
 void ProblemsView::draw(ViewContext& context) {
@@ -176,7 +112,11 @@ void ProblemsView::draw(ViewContext& context) {
   ImGui::Dummy(ImVec2(0.0f, 12.0f));
   if (list.empty()) draw_nothing_found(context, has_clip);
   for (int i = 0; i < size_of(list); ++i) draw_entry(context, list[idx(i)], i);
-  if (has_clip) inspector::draw_assumptions(context);
+  if (!has_clip) return;
+  lint_.update(context);
+  if (!lint_.empty() || is_first_frame_left_out(document)) lint_.draw(context, choices_);
+  choices_.draw_assumptions(context);
+  ImGui::Dummy(ImVec2(0.0f, 16.0f));
 }
 
 }  // namespace marey::app

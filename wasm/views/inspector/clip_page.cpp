@@ -23,28 +23,20 @@ void draw_content(ViewContext& context) {
   inspector::text_row(context, "Duration", fmt::format("{:.3f} s", motion.duration_s()), true);
 }
 
-void draw_unit(ViewContext& context) {
-  const Document& document = context.session.document;
-  const float width = inspector::begin_row(context, "One unit is");
-  const auto result = ui::number_field(context, "inspector.metres_per_unit", "One unit is", document.settings().metres_per_unit,
-                                       {.unit = "m", .decimals = 5, .step = 0.0005, .low = 1e-6, .high = 1e6, .width = width});
-  apply_number(context, result, [&](const Clip& clip) {
-    ClipSettings settings = clip.settings;
-    settings.metres_per_unit = result.value;
-    return make_settings_edit(clip, settings);
-  });
-  inspector::end_row();
-  const double stature = compute_stature(document.skeleton());
-  inspector::text_row(context, "Stature",
-                      fmt::format("{:.2f} units {:6.2f} m", stature, stature * document.settings().metres_per_unit), true);
-}
-
 void draw_up_axis(ViewContext& context) {
   inspector::begin_row(context, "Up axis");
   ui::command_button(context, "clip.up_axis.y", ui::ButtonLook::Raised, true, "@inspector");
   ImGui::SameLine(0.0f, 4.0f);
   ui::command_button(context, "clip.up_axis.z", ui::ButtonLook::Raised, true, "@inspector");
   inspector::end_row();
+}
+
+void draw_position_choice(ViewContext& context) {
+  for (const char* id : {"clip.positions.replace", "clip.positions.add"}) {
+    ImGui::SetCursorPosX(inspector::kPadding);
+    ui::command_button(context, id, ui::ButtonLook::Raised, true, "@inspector");
+    inspector::end_row();
+  }
 }
 
 }  // namespace
@@ -61,18 +53,20 @@ void draw_frame_time(ViewContext& context) {
   text_row(context, "Frame rate", fmt::format("{:.5g} fps", display_frame_rate_hz(motion.frame_time_s())), true);
 }
 
-void draw_position_choice(ViewContext& context) {
-  for (const char* id : {"clip.positions.replace", "clip.positions.add"}) {
-    ImGui::SetCursorPosX(kPadding);
-    ui::command_button(context, id, ui::ButtonLook::Raised, true, "@inspector");
-    end_row();
-  }
-}
-
-void draw_assumptions(ViewContext& context) {
-  heading(context, "Assumed");
-  draw_up_axis(context);
-  draw_unit(context);
+void draw_unit(ViewContext& context) {
+  const Document& document = context.session.document;
+  const float width = begin_row(context, "One unit is");
+  const auto result = ui::number_field(context, "inspector.metres_per_unit", "One unit is", document.settings().metres_per_unit,
+                                       {.unit = "m", .decimals = 5, .step = 0.0005, .low = 1e-6, .high = 1e6, .width = width});
+  apply_number(context, result, [&](const Clip& clip) {
+    ClipSettings settings = clip.settings;
+    settings.metres_per_unit = result.value;
+    return make_settings_edit(clip, settings);
+  });
+  end_row();
+  const double stature = compute_stature(document.skeleton());
+  text_row(context, "Stature",
+                      fmt::format("{:.2f} units {:6.2f} m", stature, stature * document.settings().metres_per_unit), true);
 }
 
 }  // namespace inspector
@@ -82,10 +76,10 @@ void draw_clip_page(ViewContext& context) {
   inspector::heading(context, "Time");
   inspector::draw_frame_time(context);
   inspector::heading(context, "Length");
-  draw_unit(context);
+  inspector::draw_unit(context);
   inspector::heading(context, "Reading");
   draw_up_axis(context);
-  inspector::draw_position_choice(context);
+  draw_position_choice(context);
   ImGui::Dummy({0.0f, 16.0f});
 }
 

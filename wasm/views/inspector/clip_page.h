@@ -12,9 +12,7 @@ namespace inspector {
 
 /// Rows of the page that also stand below the findings they answer.
 void draw_frame_time(ViewContext& context);
-void draw_position_choice(ViewContext& context);
-/// What no file says and every file leaves to be guessed: up axis and unit of length.
-void draw_assumptions(ViewContext& context);
+void draw_unit(ViewContext& context);
 
 }  // namespace inspector
 }  // namespace marey::app
