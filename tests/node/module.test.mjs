@@ -81,6 +81,59 @@ describe("a clip that was read", () => {
   });
 });
 
+describe("a clip that is written otherwise", () => {
+  const text = (clip, options) => new TextDecoder().decode(clip.write(options));
+
+  test("has the decimals, line ends and frames that are asked for", () => {
+    const clip = marey.parse(arm);
+    assert.equal(text(clip, {}), text(clip));
+    assert.equal(text(clip, { lineEnds: "crlf" }), text(clip).replaceAll("\n", "\r\n"));
+    assert.match(text(clip, { decimals: 3 }), /OFFSET 1\.000 2\.000 3\.000/);
+    const part = marey.parse(clip.write({ first: 1, count: 2 }));
+    assert.equal(part.frameCount, 2);
+    assert.deepEqual([...part.channel(0)], [...clip.channel(0)].slice(1));
+    assert.equal(marey.parse(clip.write({ first: 2 })).frameCount, 1);
+  });
+
+  test("is refused with what it cannot have", () => {
+    const clip = marey.parse(arm);
+    for (const options of [{ decimals: 16 }, { decimals: 1.5 }, { lineEnds: "cr" }, { first: 3 }, { first: 1, count: 3 }, { count: 0 }]) {
+      assert.throws(() => clip.write(options), { code: "invalid_argument" }, JSON.stringify(options));
+    }
+  });
+});
+
+describe("positions beside an offset", () => {
+  const text = `HIERARCHY
+ROOT Root
+{
+  OFFSET 0 0 0
+  CHANNELS 3 Xposition Yposition Zposition
+  JOINT Slide
+  {
+    OFFSET 0 10 0
+    CHANNELS 3 Xposition Yposition Zposition
+    End Site { OFFSET 0 5 0 }
+  }
+}
+MOTION
+Frames: 1
+Frame Time: 0.1
+0 0 0 1 12 0
+`;
+
+  test("replace it or add to it, as is set", () => {
+    const clip = marey.parse(text);
+    assert.equal(clip.positions, "replace");
+    near(clip.worldPositions(), [0, 0, 0, 1, 12, 0, 1, 17, 0]);
+    clip.positions = "add";
+    assert.equal(clip.positions, "add");
+    near(clip.worldPositions(), [0, 0, 0, 1, 22, 0, 1, 27, 0]);
+    assert.throws(() => (clip.positions = "both"), { code: "invalid_argument" });
+    assert.equal(new TextDecoder().decode(clip.write()), text);
+  });
+});
+
 describe("a changed channel", () => {
   test("moves the body", () => {
     const clip = marey.parse(arm);

@@ -101,7 +101,7 @@ void add_frame_choices(CommandRegistry& registry, Workspace& workspace) {
   FrameChoice declared;
   declared.keep = {.id = "clip.frames.all", .label = "Keep all frames", .help = "The frames beyond the declared count stay."};
   declared.leave_out = {.id = "clip.frames.declared",
-                        .label = "Only those declared",
+                        .label = "As declared",
                         .help = "Takes away the frames beyond the count that the file declares."};
   declared.is_left_out = [document] { return keeps_declared_only(document()); };
   declared.can_undo = [document] { return undo_restores(document(), document().declared_frames(), true); };

@@ -49,8 +49,23 @@ EMSCRIPTEN_KEEPALIVE const float* marey_clip_world_positions(ModuleClip* clip, i
   return clip->world_positions.data();
 }
 
-EMSCRIPTEN_KEEPALIVE void marey_clip_write(ModuleClip* clip) {
-  clip->text = write_bvh(clip->bvh.skeleton, clip->bvh.motion, clip->bvh.style);
+/// Whether position channels add to OFFSET; else they replace it.
+EMSCRIPTEN_KEEPALIVE int marey_clip_positions_add(const ModuleClip* clip) {
+  return clip->bvh.position_rule == marey::PositionRule::Add ? 1 : 0;
+}
+EMSCRIPTEN_KEEPALIVE void marey_clip_set_positions_add(ModuleClip* clip, int add) {
+  clip->bvh.position_rule = add != 0 ? marey::PositionRule::Add : marey::PositionRule::Replace;
+}
+
+/// `decimals` and `line_end` (0 LF, 1 CR LF) below 0 leave things as they are, as does a `count` of 0.
+EMSCRIPTEN_KEEPALIVE void marey_clip_write(ModuleClip* clip, int decimals, int line_end, int first, int count) {
+  marey::SaveOptions options;
+  options.frames = {first, count};
+  if (decimals >= 0) options.decimals = decimals;
+  if (line_end >= 0) options.line_end = static_cast<marey::LineEnd>(line_end);
+  const marey::BvhClip& bvh = clip->bvh;
+  const bool as_it_is = options == marey::SaveOptions{};
+  clip->text = as_it_is ? write_bvh(bvh.skeleton, bvh.motion, bvh.style) : write_bvh(bvh.skeleton, bvh.motion, bvh.style, options);
 }
 
 }  // extern "C"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/bvh/reader.h"
+#include "core/bvh/save_options.h"
 #include "core/bvh/writer.h"
 #include "core/kinematics/forward_kinematics.h"
 

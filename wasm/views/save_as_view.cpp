@@ -142,7 +142,7 @@ void SaveAsView::draw_differences(ViewContext& context) {
 
 bool SaveAsView::draw_download(ViewContext& context) {
   const std::string name = ui::displayable(copy_name(context.session.document, wanted_));
-  const float button = context.fonts.semibold->CalcTextSizeA(Fonts::kTextSize, 1e6f, 0.0f, "Download").x + 44.0f;
+  const float button = context.fonts.semibold->CalcTextSizeA(Fonts::kTextSize, 1e6f, 0.0f, "Download").x + 20.0f;
   const float bottom = ImGui::GetWindowHeight() - ImGui::GetFrameHeight() - inspector::kPadding;
   ImGui::SetCursorPos(ImVec2(inspector::kPadding, bottom + 0.5f * (ImGui::GetFrameHeight() - ImGui::GetTextLineHeight())));
   ui::elided_text(context, name, ImGui::GetWindowWidth() - button - 3.0f * inspector::kPadding, context.theme.dim_text);

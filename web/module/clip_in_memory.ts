@@ -1,5 +1,5 @@
 import type { CoreProgram } from "./core_program.js";
-import type { Clip, Diagnostic, Joint } from "./marey.js";
+import type { Clip, Diagnostic, Joint, PositionMeaning, WriteOptions } from "./marey.js";
 import { MareyError } from "./marey_error.js";
 
 interface Description {
@@ -71,9 +71,31 @@ export class ClipInMemory implements Clip {
     return this.module.HEAPF32.slice(start, start + count * this.nodeCount * 3);
   }
 
-  write(): Uint8Array {
+  get positions(): PositionMeaning {
+    return this.module._marey_clip_positions_add(this.open()) !== 0 ? "add" : "replace";
+  }
+
+  set positions(meaning: PositionMeaning) {
+    if (meaning !== "add" && meaning !== "replace") {
+      throw new MareyError("invalid_argument", `Positions "add" or "replace", they do not "${String(meaning)}".`);
+    }
+    this.module._marey_clip_set_positions_add(this.open(), meaning === "add" ? 1 : 0);
+  }
+
+  write({ decimals, lineEnds, first = 0, count = this.frameCount - first }: WriteOptions = {}): Uint8Array {
     const handle = this.open();
-    this.module._marey_clip_write(handle);
+    if (decimals !== undefined && !isIndex(decimals, mostDecimals + 1)) {
+      throw new MareyError("invalid_argument", `Decimals are a whole number from 0 to ${mostDecimals}.`);
+    }
+    if (lineEnds !== undefined && lineEnds !== "lf" && lineEnds !== "crlf") {
+      throw new MareyError("invalid_argument", `Line ends are "lf" or "crlf".`);
+    }
+    const all = first === 0 && count === this.frameCount;
+    if (!all && (!isIndex(first, this.frameCount) || !isIndex(count - 1, this.frameCount - first))) {
+      throw new MareyError("invalid_argument", `Frames ${first} to ${first + count} are not within 0 to ${this.frameCount}.`);
+    }
+    const lineEnd = lineEnds === undefined ? -1 : lineEnds === "lf" ? 0 : 1;
+    this.module._marey_clip_write(handle, decimals ?? -1, lineEnd, all ? 0 : first, all ? 0 : count);
     return copyText(this.module, handle);
   }
 
@@ -96,6 +118,8 @@ export class ClipInMemory implements Clip {
     return this.module._marey_clip_samples(handle, channel) / Float64Array.BYTES_PER_ELEMENT;
   }
 }
+
+const mostDecimals = 15;
 
 function isIndex(value: number, count: number): boolean {
   return Number.isInteger(value) && value >= 0 && value < count;

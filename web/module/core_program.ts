@@ -12,5 +12,7 @@ export interface CoreProgram {
   _marey_clip_text_size(clip: number): number;
   _marey_clip_samples(clip: number, channel: number): number;
   _marey_clip_world_positions(clip: number, first: number, count: number): number;
-  _marey_clip_write(clip: number): void;
+  _marey_clip_positions_add(clip: number): number;
+  _marey_clip_set_positions_add(clip: number, add: number): void;
+  _marey_clip_write(clip: number, decimals: number, lineEnd: number, first: number, count: number): void;
 }

@@ -54,11 +54,30 @@ export interface Clip {
    */
   worldPositions(first?: number, count?: number): Float32Array;
 
-  /** The clip as a BVH file in the style of the file it was read from. */
-  write(): Uint8Array;
+  /**
+   * What position channels of joints with an OFFSET mean. The file's numbers decide it first; world positions follow
+   * what is set here.
+   */
+  positions: PositionMeaning;
+
+  /** The clip as a BVH file in the style of the file it was read from, but for what `options` ask. */
+  write(options?: WriteOptions): Uint8Array;
 
   /** Gives the memory back; the clip cannot be used afterwards. */
   dispose(): void;
+}
+
+/** A position channel replaces the joint's OFFSET, or is added to it. */
+export type PositionMeaning = "replace" | "add";
+
+export interface WriteOptions {
+  /** Of samples and offsets, 0 to 15; each number becomes the nearest one that has so many. The frame time stays. */
+  decimals?: number;
+  lineEnds?: "lf" | "crlf";
+  /** The first frame to write; by default 0. */
+  first?: number;
+  /** How many frames to write; by default all from `first` on. */
+  count?: number;
 }
 
 export interface ParseOptions {
