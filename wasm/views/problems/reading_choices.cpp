@@ -62,7 +62,11 @@ void ReadingChoices::draw_positions(ViewContext& context) {
   replace.position_rule = PositionRule::Replace;
   ClipSettings add = replace;
   add.position_rule = PositionRule::Add;
-  run_pressed(context, {pictured(context, "clip.positions.replace", replace), pictured(context, "clip.positions.add", add)});
+  ChoiceCard replacing = pictured(context, "clip.positions.replace", replace);
+  ChoiceCard adding = pictured(context, "clip.positions.add", add);
+  replacing.label = "Replace offset";
+  adding.label = "Add to offset";
+  run_pressed(context, {std::move(replacing), std::move(adding)});
 }
 
 void ReadingChoices::draw_frame_rate(ViewContext& context) {
