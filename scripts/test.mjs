@@ -2,7 +2,7 @@
 import { main, say } from "./lib/shell.mjs";
 import { setUpTests } from "./setup/index.mjs";
 import { tryForSystemPackages } from "./setup/system_packages.mjs";
-import { runBuild, runNodeTests, runPlaywright, runPreset, runTypeCheck } from "./tests/runners.mjs";
+import { runBuild, runNodeTests, runNumberTests, runPlaywright, runPreset, runTypeCheck } from "./tests/runners.mjs";
 import { add, closingLine, noCounts, runStep } from "./tests/step.mjs";
 
 function runOtherEngines(log) {
@@ -16,6 +16,7 @@ function runOtherEngines(log) {
 
 const steps = [
   { name: "native unit tests", body: (log) => runPreset(log, "native") },
+  { name: "numbers read and written exactly", body: (log) => runNumberTests(log), notes: /compared with/ },
   { name: "unit tests with sanitizers", body: (log) => runPreset(log, "sanitize") },
   { name: "unit tests as wasm in Node", body: (log) => runPreset(log, "wasm") },
   { name: "types of the page", body: runTypeCheck },

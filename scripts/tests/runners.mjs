@@ -29,6 +29,19 @@ export function runPreset(log, preset) {
   return ok || counts.failed > 0 ? counts : { ...counts, failed: 1 };
 }
 
+/** Builds and runs the native comparison of millions of numbers; `cases` is how many, the program's own choice if not given. */
+export function runNumberTests(log, cases) {
+  log.must("cmake", ["--preset", "native"]);
+  log.must("cmake", ["--build", "--preset", "native", "--target", "marey_number_tests"]);
+  const report = inRoot("build", "native", "reports", "marey_number_tests.json");
+  rmSync(report, { force: true });
+  const env = cases === undefined ? process.env : { ...process.env, MAREY_NUMBER_CASES: String(cases) };
+  const ok = log.run(inRoot("build", "native", "tests", "marey_number_tests"), [`--gtest_output=json:${report}`], { env });
+  if (!existsSync(report)) throw new Failure("marey_number_tests left no report");
+  const counts = countGoogleTests(readJson(report));
+  return ok || counts.failed > 0 ? counts : { ...counts, failed: 1 };
+}
+
 /** Runs test files of Node's own runner. */
 export function runNodeTests(log, folder, { prefix = [], env = {} } = {}) {
   const files = existsSync(inRoot(folder)) ? readdirSync(inRoot(folder)).filter((name) => name.endsWith(".test.mjs")) : [];
