@@ -16,6 +16,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::UnsupportedEncoding, "unsupported_encoding", Severity::Error, true},
     {Code::Utf16Text, "utf16_text", Severity::Note, true},
     {Code::ByteOrderMark, "byte_order_mark", Severity::Note, true},
+    {Code::WideBlank, "wide_blank", Severity::Warning, true},
     {Code::TextAfterHierarchyEnd, "text_after_hierarchy_end", Severity::Warning, true},
     {Code::MissingHierarchyKeyword, "missing_hierarchy_keyword", Severity::Warning, true},
     {Code::MissingRoot, "missing_root", Severity::Error, true},

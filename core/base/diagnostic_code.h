@@ -20,6 +20,7 @@ enum class DiagnosticCode {
   UnsupportedEncoding,
   Utf16Text,
   ByteOrderMark,
+  WideBlank,
   TextAfterHierarchyEnd,
   MissingHierarchyKeyword,
   MissingRoot,

@@ -205,6 +205,7 @@ void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& rep
     });
     const OffsetReading& chosen = in_plane == readings.end() ? readings.front() : *in_plane;
     hierarchy.skeleton.set_offset(open.node, chosen.offset);
+    patch_offset(open.block.offset, open.block.offset_end, chosen, hierarchy.patches);
     report_offset_reading(description_of(open.block), open.block.offset_place, open.block.offset.count, chosen, report);
   }
 }

@@ -11,20 +11,21 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 20;
 constexpr int kMostLines = 32;
-constexpr NumberLook kPlain{'.', false};
-constexpr NumberLook kDecimal{',', false};
-constexpr NumberLook kSeparated{'.', true};
+constexpr NumberLook kPlain{'.', false, false};
+constexpr NumberLook kDecimal{',', false, false};
+constexpr NumberLook kSeparated{'.', true, false};
+constexpr NumberLook kDecimalAndSemicolons{',', false, true};
 
 using Lines = std::vector<std::string_view>;
 
 bool has_comma(std::string_view text) { return text.find_first_of(",;") != std::string_view::npos; }
 
 template <class Visit>
-void for_each_word(std::string_view line, Visit visit) {
+void for_each_word(std::string_view line, Visit visit, const NumberLook& look = kPlain) {
   for (;;) {
-    line.remove_prefix(gap_length(line, kPlain));
+    line.remove_prefix(gap_length(line, look));
     if (line.empty()) return;
-    const std::size_t length = value_length(line, kPlain);
+    const std::size_t length = value_length(line, look);
     visit(line.substr(0, length));
     line.remove_prefix(length);
   }
@@ -78,6 +79,20 @@ void count_words(std::string_view line, WordCensus& census) {
   });
 }
 
+/// True if semicolons stand between numbers that have decimal commas and never points: "1,5;2,5".
+bool has_semicolons_between_decimals(const Lines& lines, int channel_count) {
+  bool plausible = true;
+  int decimals = 0;
+  int fitting = 0;
+  for (const std::string_view line : lines) {
+    plausible = plausible && line.find(';') != std::string_view::npos && line.find('.') == std::string_view::npos;
+    fitting += count_values(line, kDecimalAndSemicolons) % channel_count == 0 ? 1 : 0;
+    for_each_word(line, [&](std::string_view word) { decimals += has_comma(word) && is_decimal_like(word) ? 1 : 0; },
+                  kDecimalAndSemicolons);
+  }
+  return plausible && decimals > 0 && 2 * fitting > size_of(lines);
+}
+
 /// How well the rows fit the channels when their commas are understood in one way.
 int fit_of(const NumberLook& look, std::string_view rows, const Lines& comma_lines, int channel_count,
            std::optional<std::int64_t> declared) {
@@ -121,6 +136,7 @@ NumberLook find_comma_habit(std::string_view rows, const std::vector<std::string
                             std::optional<std::int64_t> declared_frames) {
   const Lines comma_lines = find_comma_lines(rows);
   if (comma_lines.empty()) return kPlain;
+  if (has_semicolons_between_decimals(comma_lines, channel_count)) return kDecimalAndSemicolons;
   WordCensus census;
   for (const std::string_view line : comma_lines) count_words(line, census);
   for (const std::string_view line : first_lines) {

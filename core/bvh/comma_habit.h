@@ -16,6 +16,7 @@ namespace marey {
 /// Decides what commas and semicolons mean in `rows`, which begins with the first sample, by many lines together:
 /// - decimal signs, if more numbers have a comma within than a point, and the values then fit the channels at least as
 ///   well as with commas as blanks;
+/// - decimal signs, and semicolons blanks, if both stand in the rows and points do not: "1,5;2,5";
 /// - blanks, if they stand where no decimal sign can;
 /// - nothing otherwise: numbers with a comma are then no numbers.
 /// `first_lines` are find_value_lines().

@@ -165,6 +165,7 @@ void HeaderPrinter::print_node(const Node& node) {
 }
 
 void HeaderPrinter::print() {
+  out_ += style_.before;
   print_line("HIERARCHY");
   for (const Node& node : skeleton_.nodes()) print_node(node);
   while (!open_.empty()) close();

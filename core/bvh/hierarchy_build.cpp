@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/base/counted.h"
@@ -15,7 +16,7 @@ namespace {
 class HierarchyBuilder {
  public:
   HierarchyBuilder(std::string_view text, HierarchyText hierarchy, const ReadLimits& limits, Report& report)
-      : text_(text), hierarchy_(std::move(hierarchy)), limits_(limits), report_(report) {}
+      : text_(text), hierarchy_(std::move(hierarchy)), indent_(find_indent(text, hierarchy_)), limits_(limits), report_(report) {}
 
   Hierarchy build();
 
@@ -25,11 +26,13 @@ class HierarchyBuilder {
   void add_end_site(const RawBlock& block);
   void close(const BraceEvent& event);
   void close_all(std::size_t place, bool at_end);
+  void add_closing_braces(std::size_t place);
   void note_node(const RawBlock& block);
   glm::dvec3 offset_of(const RawBlock& block);
 
   std::string_view text_;
   HierarchyText hierarchy_;
+  std::string indent_;  ///< per level
   const ReadLimits& limits_;
   Report& report_;
   SkeletonBuilder builder_;
@@ -38,7 +41,7 @@ class HierarchyBuilder {
 };
 
 Hierarchy HierarchyBuilder::build() {
-  result_.needs_printing = hierarchy_.needs_printing;
+  result_.patches = hierarchy_.patches;
   for (const BraceEvent& event : hierarchy_.events) {
     if (report_.failed()) return {};
     if (event.closings > 0) {
@@ -50,7 +53,8 @@ Hierarchy HierarchyBuilder::build() {
   if (!open_is_joint_.empty()) close_all(hierarchy_.end, hierarchy_.end >= text_.size());
   if (builder_.joint_count() == 0) {
     report_.fail(DiagnosticCode::MissingRoot, hierarchy_.end,
-                 "The hierarchy has no joint, so there is no figure to show. A BVH file describes one below ROOT.", "ROOT",
+                 "The hierarchy has no joint, so there is no figure to show. A BVH file describes one below ROOT, before MOTION.",
+                 "ROOT",
                  hierarchy_.end >= text_.size() ? "the end of the file" : "MOTION");
   }
   if (report_.failed()) return {};
@@ -71,7 +75,7 @@ void HierarchyBuilder::open(const BraceEvent& event) {
   RawBlock& block = hierarchy_.blocks[idx(event.block)];
   if (block.kind == RawBlock::Kind::Root && !open_is_joint_.empty()) close_all(block.place, false);
   if (block.kind == RawBlock::Kind::EndSite && !block.channels.empty()) {
-    result_.needs_printing = true;
+    result_.patches.replace(block.place, block.keyword_end - block.place, block.name.empty() ? "JOINT End Site" : "JOINT");
     report_.add_each(DiagnosticCode::EndSiteWithChannels, block.place,
                      "The end site has channels, so it was read as a joint.", "JOINT", "End Site");
     block.kind = RawBlock::Kind::Joint;
@@ -97,7 +101,7 @@ void HierarchyBuilder::open_joint(RawBlock& block) {
     return;
   }
   if (block.kind == RawBlock::Kind::Joint && builder_.open_depth() == 0) {
-    result_.needs_printing = true;
+    result_.patches.replace(block.place, block.keyword_end - block.place, "ROOT");
     report_.add_each(DiagnosticCode::JointOutsideRoot, block.place,
                      fmt::format("JOINT '{}' stands outside of any ROOT; it was read as a root.", shown(block.name)),
                      "ROOT", "JOINT");
@@ -117,7 +121,7 @@ void HierarchyBuilder::open_joint(RawBlock& block) {
 
 void HierarchyBuilder::add_end_site(const RawBlock& block) {
   if (builder_.open_depth() == 0) {
-    result_.needs_printing = true;
+    result_.patches.give_up();
     report_.add_each(DiagnosticCode::UnexpectedToken, block.place, "This End Site belongs to no joint; it was left out.",
                      "ROOT", "End Site");
     return;
@@ -156,9 +160,12 @@ glm::dvec3 HierarchyBuilder::offset_of(const RawBlock& block) {
 void HierarchyBuilder::close(const BraceEvent& event) {
   for (int i = 0; i < event.closings; ++i) {
     if (open_is_joint_.empty()) {
-      result_.needs_printing = true;
       std::size_t place = event.place;
       for (int passed = 0; passed < i; ++passed) place = text_.find('}', place + 1);
+      std::size_t surplus = place;
+      for (int left = event.closings - i; left > 0; --left, surplus = text_.find('}', surplus + 1)) {
+        result_.patches.remove(surplus, 1);
+      }
       report_.add_each(DiagnosticCode::SurplusClosingBrace, place,
                        fmt::format("{} '}}' too many; left out.", event.closings - i), "MOTION", "}");
       return;
@@ -169,8 +176,8 @@ void HierarchyBuilder::close(const BraceEvent& event) {
 }
 
 void HierarchyBuilder::close_all(std::size_t place, bool at_end) {
-  result_.needs_printing = true;
   const auto missing = open_is_joint_.size();
+  add_closing_braces(place);
   if (at_end) {
     report_.add(DiagnosticCode::UnexpectedEnd, place,
                 fmt::format("The file ends inside the hierarchy: {} '}}' {} missing and added. Joints behind this place are "
@@ -187,7 +194,30 @@ void HierarchyBuilder::close_all(std::size_t place, bool at_end) {
   open_is_joint_.clear();
 }
 
+/// Before the line of `place` where only blanks stand before it there.
+void HierarchyBuilder::add_closing_braces(std::size_t place) {
+  std::size_t at = place;
+  while (at > 0 && is_blank(text_[at - 1]) && !is_line_end(text_[at - 1])) --at;
+  const bool opens_line = at == 0 || is_line_end(text_[at - 1]);
+  std::string braces = opens_line ? "" : "\n";
+  for (std::size_t depth = open_is_joint_.size(); depth > 0; --depth) {
+    for (std::size_t i = 1; i < depth; ++i) braces += indent_;
+    braces += "}\n";
+  }
+  result_.patches.insert(opens_line ? at : place, braces);
+}
+
 }  // namespace
+
+std::string find_indent(std::string_view text, const HierarchyText& hierarchy) {
+  const auto first = std::find_if(hierarchy.blocks.begin(), hierarchy.blocks.end(),
+                                  [](const RawBlock& block) { return block.has_offset; });
+  if (first == hierarchy.blocks.end()) return "  ";
+  const std::size_t place = first->offset_place;
+  const std::string indent = indent_before(text, place);
+  const bool alone = place > indent.size() && is_line_end(text[place - indent.size() - 1]);
+  return alone && !indent.empty() ? indent : "  ";
+}
 
 Hierarchy build_hierarchy(std::string_view text, HierarchyText hierarchy, const ReadLimits& limits, Report& report) {
   join_blocks_closed_early(hierarchy, report);

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/bvh/header_patch.h"
 #include "core/bvh/hierarchy_text.h"
 #include "core/bvh/limits.h"
 #include "core/bvh/report.h"
@@ -23,8 +25,11 @@ struct Hierarchy {
   std::vector<std::size_t> node_places;  ///< of the keyword of each node
   std::vector<NumberSlot> offset_slots;  ///< three per node, where the text holds them
   std::vector<OpenOffset> open_offsets;
-  bool needs_printing = false;  ///< the text says something else than the skeleton
+  HeaderPatches patches;  ///< where the text says something else than the skeleton
 };
+
+/// The blanks before the first OFFSET, if it stands alone in its line, else two.
+[[nodiscard]] std::string find_indent(std::string_view text, const HierarchyText& hierarchy);
 
 /// Builds the tree, with repairs of its nesting; nothing of use is in the result when the report has failed.
 [[nodiscard]] Hierarchy build_hierarchy(std::string_view text, HierarchyText hierarchy, const ReadLimits& limits,

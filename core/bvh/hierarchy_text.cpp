@@ -4,6 +4,8 @@
 
 #include "core/base/index.h"
 #include "core/bvh/keyword.h"
+#include "core/bvh/keyword_reader.h"
+#include "core/bvh/row_text.h"
 
 namespace marey {
 namespace {
@@ -19,12 +21,11 @@ class HierarchyParser {
   bool read_statement();
   void read_keyword(Keyword keyword, std::size_t place);
   void skip_unknown_word();
-  void check_case(Keyword keyword, std::string_view word, std::size_t place);
   void check_start(std::size_t begin);
 
   void open_block(RawBlock::Kind kind, std::size_t place, std::string_view name);
   void read_joint(RawBlock::Kind kind, std::size_t place);
-  void read_end_site(std::size_t place, std::string_view end_word);
+  void read_end_site(std::size_t place);
   void open_brace();
   void close_brace();
   void settle_missing_body(bool block_goes_on);
@@ -43,6 +44,8 @@ class HierarchyParser {
   std::vector<int> open_;
   bool awaits_brace_ = false;
   bool seen_keyword_ = false;
+  std::size_t first_keyword_ = 0;
+  std::size_t keyword_end_ = 0;
   int joints_ = 0;
   int end_sites_ = 0;
   int nameless_blocks_ = 0;
@@ -72,7 +75,9 @@ bool HierarchyParser::read_statement() {
     close_brace();
     return true;
   }
-  const Keyword keyword = find_keyword(cursor_.peek_word());
+  Keyword keyword = find_keyword(cursor_.peek_word());
+  if (keyword == Keyword::None) keyword = find_misspelled_keyword(cursor_.peek_word());
+  if (!seen_keyword_ && is_text_before_hierarchy(keyword, cursor_.rest())) keyword = Keyword::None;
   if (keyword == Keyword::Motion || keyword == Keyword::Frames || keyword == Keyword::Frame) return false;
   if (keyword == Keyword::None) {
     skip_unknown_word();
@@ -84,19 +89,19 @@ bool HierarchyParser::read_statement() {
 
 void HierarchyParser::read_keyword(Keyword keyword, std::size_t place) {
   if (awaits_brace_) settle_missing_body(keyword == Keyword::Offset || keyword == Keyword::Channels);
-  const std::string_view word = cursor_.take_word();
-  check_case(keyword, word, place);
+  if (!seen_keyword_) first_keyword_ = place;
   const bool first = !seen_keyword_;
   seen_keyword_ = true;
   if (first && keyword != Keyword::Hierarchy) {
-    result_.needs_printing = true;
+    result_.patches.insert(place, std::string(keyword_text(Keyword::Hierarchy)) + "\n");
     report_.add(DiagnosticCode::MissingHierarchyKeyword, place, "The file does not begin with HIERARCHY; it was added.",
                 "HIERARCHY", std::string(keyword_text(keyword)));
   }
+  take_keyword(cursor_, keyword, result_.patches, report_);
   switch (keyword) {
     case Keyword::Root: read_joint(RawBlock::Kind::Root, place); break;
     case Keyword::Joint: read_joint(RawBlock::Kind::Joint, place); break;
-    case Keyword::End: read_end_site(place, word); break;
+    case Keyword::End: read_end_site(place); break;
     case Keyword::Offset: read_offset(place); break;
     case Keyword::Channels: read_channels(place); break;
     default: break;
@@ -106,8 +111,8 @@ void HierarchyParser::read_keyword(Keyword keyword, std::size_t place) {
 void HierarchyParser::skip_unknown_word() {
   const std::size_t place = cursor_.offset();
   const std::string_view word = cursor_.take_word();
-  result_.needs_printing = true;
   if (!seen_keyword_) return;  // check_start() says what the text is
+  result_.patches.remove(place, word.size());
   const bool behind_tree = open_.empty() && !result_.blocks.empty() && !awaits_brace_;
   report_.add_each(behind_tree ? DiagnosticCode::TextAfterHierarchyEnd : DiagnosticCode::UnexpectedToken, place,
                    fmt::format("'{}' means nothing here and was left out.", shown(word)),
@@ -117,28 +122,19 @@ void HierarchyParser::skip_unknown_word() {
 /// Judges what stands before the first keyword, once it is known whether there is one.
 void HierarchyParser::check_start(std::size_t begin) {
   TextCursor start(cursor_.text(), begin);
-  start.skip_blanks();
+  pass_blanks_and_comments(start);
   const std::string_view word = start.peek_word().empty() ? start.rest().substr(0, 1) : start.peek_word();
   const Keyword keyword = find_keyword(word);
   if (!seen_keyword_ && keyword != Keyword::Motion && keyword != Keyword::Frames) {
     report_.fail(DiagnosticCode::NotBvh, start.offset(),
                  "This is not a BVH file: it has neither HIERARCHY nor ROOT. Open a file written as BVH.", "HIERARCHY",
                  shown(word));
-  } else if (seen_keyword_ && keyword == Keyword::None && word != "#" && word.substr(0, 1) != "#" &&
-             word.substr(0, 2) != "//") {
+  } else if (seen_keyword_ && start.offset() < first_keyword_) {
+    result_.patches.remove(start.offset(), first_keyword_ - start.offset());
     report_.add(DiagnosticCode::UnexpectedToken, start.offset(),
                 fmt::format("The text before HIERARCHY, beginning with '{}', was left out.", shown(word)), "HIERARCHY",
                 shown(word));
   }
-}
-
-void HierarchyParser::check_case(Keyword keyword, std::string_view word, std::size_t place) {
-  const std::string_view right = keyword_text(keyword);
-  if (word.substr(0, right.size()) == right) return;
-  report_.add(DiagnosticCode::KeywordCase, place,
-              fmt::format("'{}' was read as {}; many other programs want capitals as the format writes them.",
-                          shown(word), right),
-              std::string(right), shown(word));
 }
 
 RawBlock* HierarchyParser::current_block() {
@@ -161,11 +157,13 @@ void HierarchyParser::open_block(RawBlock::Kind kind, std::size_t place, std::st
   block.kind = kind;
   block.name = name;
   block.place = place;
+  block.keyword_end = keyword_end_;
   result_.blocks.push_back(std::move(block));
   awaits_brace_ = true;
 }
 
 void HierarchyParser::read_joint(RawBlock::Kind kind, std::size_t place) {
+  keyword_end_ = cursor_.offset();
   std::string_view name = cursor_.take_name();
   if (name.empty()) {
     cursor_.skip_blanks();
@@ -178,24 +176,11 @@ void HierarchyParser::read_joint(RawBlock::Kind kind, std::size_t place) {
   open_block(kind, place, name);
 }
 
-void HierarchyParser::read_end_site(std::size_t place, std::string_view end_word) {
-  constexpr std::string_view kSite = "Site";
-  std::string_view site = end_word.substr(keyword_text(Keyword::End).size());
+void HierarchyParser::read_end_site(std::size_t place) {
+  take_site(cursor_, place, result_.patches, report_);
+  keyword_end_ = cursor_.offset();
   cursor_.skip_blanks_in_line();
-  if (site.empty()) site = cursor_.peek_word();
-  const bool has_site = equal_ignoring_case(site.substr(0, kSite.size()), kSite);
-  if (!has_site) {
-    result_.needs_printing = true;
-    report_.add_each(DiagnosticCode::UnexpectedToken, place, "'End' without 'Site' was read as End Site.", "End Site",
-                     shown(site));
-  } else if (site.substr(0, kSite.size()) != kSite) {
-    report_.add(DiagnosticCode::KeywordCase, place,
-                "'End Site' is not spelled as the format writes it; many other programs want capitals E and S.",
-                "End Site", shown(site));
-  }
-  const bool site_is_next = cursor_.text().data() + cursor_.offset() == site.data();
-  if (has_site && site_is_next) cursor_.move_to(cursor_.offset() + kSite.size());
-  const std::string_view name = cursor_.take_name();
+  const std::string_view name = starts_comment(cursor_.rest()) ? std::string_view() : cursor_.take_name();
   if (!name.empty()) {
     report_.add(DiagnosticCode::NamedEndSite, place,
                 fmt::format("The end site has a name ('{}'), which was kept; some other programs refuse it.", shown(name)),
@@ -223,7 +208,7 @@ void HierarchyParser::open_brace() {
     return;
   }
   if (!seen_keyword_) return;
-  result_.needs_printing = true;
+  result_.patches.give_up();
   report_.add_each(DiagnosticCode::UnexpectedToken, place, "'{' opens a block that no JOINT announces; it was passed over.",
                    "OFFSET, CHANNELS, JOINT, End Site or '}'", "{");
   if (++nameless_blocks_ > limits_.max_joints) {
@@ -250,11 +235,12 @@ void HierarchyParser::close_brace() {
 
 void HierarchyParser::settle_missing_body(bool block_goes_on) {
   awaits_brace_ = false;
-  result_.needs_printing = true;
   RawBlock& block = result_.blocks.back();
   const int index = size_of(result_.blocks) - 1;
   result_.events.push_back({index, 0, block.place});
   if (block_goes_on) {
+    const std::size_t at = cursor_.offset();
+    result_.patches.insert(at, "{\n" + indent_before(cursor_.text(), at));
     report_.add_each(DiagnosticCode::MissingOpeningBrace, cursor_.offset(),
                      fmt::format("The '{{' of {} is missing; it was added.", description_of(block)), "{",
                      shown(cursor_.peek_word()));
@@ -262,6 +248,7 @@ void HierarchyParser::settle_missing_body(bool block_goes_on) {
     return;
   }
   block.has_body = false;
+  result_.patches.give_up();
   const std::string what = block.kind == RawBlock::Kind::EndSite ? "The end site" : "Joint " + description_of(block);
   report_.add_each(DiagnosticCode::JointWithoutBlock, block.place,
                    what + " has no block; it was read as a point at its parent, without channels.", "{",
@@ -270,41 +257,43 @@ void HierarchyParser::settle_missing_body(bool block_goes_on) {
 
 void HierarchyParser::read_offset(std::size_t place) {
   RawBlock* block = current_block();
+  const std::size_t keyword_end = cursor_.offset();
   OffsetRead read = read_offset_values(cursor_, report_);
-  if (read.repaired) result_.needs_printing = true;
   if (block == nullptr) {
-    result_.needs_printing = true;
+    result_.patches.remove(place, read.end - place);
     report_.add_each(DiagnosticCode::UnexpectedToken, place, "This OFFSET belongs to no joint; it was left out.",
                      "ROOT", "OFFSET");
     return;
   }
+  result_.patches.append(read.patches);
   if (block->has_offset) {
-    result_.needs_printing = true;
+    result_.patches.remove(block->offset_place, block->offset.end - block->offset_place);
     report_.add_each(DiagnosticCode::RepeatedOffset, place,
                      fmt::format("{} has a second OFFSET; the last one is used.", description_of(*block)), "CHANNELS",
                      "OFFSET");
   }
   block->has_offset = true;
   block->offset_place = place;
+  block->offset_end = keyword_end;
   block->offset = std::move(read);
   if (block->offset.count == 3) return;
-  result_.needs_printing = true;
   block->offset_readings = find_offset_readings(cursor_.text(), block->offset);
   const bool decided = block->offset_readings.size() == 1 || report_.strict();
   if (!decided) return;
+  patch_offset(block->offset, keyword_end, block->offset_readings.front(), result_.patches);
   report_offset_reading(description_of(*block), place, block->offset.count, block->offset_readings.front(), report_);
 }
 
 void HierarchyParser::check_channel_line(RawBlock& block, std::size_t place) {
   if (block.has_channels) {
-    result_.needs_printing = true;
+    result_.patches.give_up();
     report_.add_each(DiagnosticCode::RepeatedChannelsLine, place,
                      fmt::format("{} has a second CHANNELS line; its channels were added to the first.",
                                  description_of(block)),
                      "JOINT or End Site", "CHANNELS");
   }
   if (block.has_child) {
-    result_.needs_printing = true;
+    result_.patches.give_up();
     report_.add_each(DiagnosticCode::UnexpectedToken, place,
                      fmt::format("The CHANNELS of {} stand behind its first child; they were read before it.",
                                  description_of(block)),
@@ -317,14 +306,17 @@ void HierarchyParser::read_channels(std::size_t place) {
   RawBlock stray;
   RawBlock* block = current_block();
   if (block == nullptr) {
-    result_.needs_printing = true;
     report_.add_each(DiagnosticCode::UnexpectedToken, place, "These CHANNELS belong to no joint; they were left out.",
                      "ROOT", "CHANNELS");
     block = &stray;
   }
   check_channel_line(*block, place);
   const ChannelsRead read = read_channel_names(cursor_, limits_.max_channels + 1 - channels_, report_);
-  if (read.repaired) result_.needs_printing = true;
+  if (block == &stray) {
+    result_.patches.remove(place, read.end - place);
+  } else {
+    result_.patches.append(read.patches);
+  }
   block->channels.insert(block->channels.end(), read.channels.begin(), read.channels.end());
   channels_ += size_of(read.channels);
   if (channels_ > limits_.max_channels) {

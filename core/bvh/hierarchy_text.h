@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/text_cursor.h"
+#include "core/bvh/header_patch.h"
 #include "core/bvh/joint_lines.h"
 #include "core/bvh/limits.h"
 #include "core/bvh/offset_repair.h"
@@ -23,7 +24,9 @@ struct RawBlock {
   bool has_child = false;  ///< a joint or an end site
   std::string_view name;
   std::size_t place = 0;
+  std::size_t keyword_end = 0;  ///< behind ROOT, JOINT or End Site
   std::size_t offset_place = 0;
+  std::size_t offset_end = 0;   ///< behind the word OFFSET
   OffsetRead offset;
   std::vector<OffsetReading> offset_readings;  ///< when there are not three values: what they can mean, the best first
   std::vector<RawChannel> channels;
@@ -46,7 +49,7 @@ struct BraceEvent {
 struct HierarchyText {
   std::vector<RawBlock> blocks;  ///< in the order of the text
   std::vector<BraceEvent> events;
-  bool needs_printing = false;  ///< the text says something else than what was understood
+  HeaderPatches patches;        ///< where the text says something else than what was understood
   std::size_t end = 0;          ///< where the motion section begins, or the end of the text
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/counted.h"
+#include "core/bvh/keyword.h"
 #include "core/bvh/motion_header.h"
 #include "core/bvh/row_reader.h"
 
@@ -20,6 +21,21 @@ bool holds_only_numbers(std::string_view text, int most, const NumberLook& look)
     text.remove_prefix(length);
   }
   return true;
+}
+
+int count_numbers(std::string_view line, const NumberLook& look) {
+  int count = 0;
+  for (line.remove_prefix(gap_length(line, look)); !line.empty(); line.remove_prefix(gap_length(line, look))) {
+    const std::size_t length = value_length(line, look);
+    count += starts_like_number(line.substr(0, length)) ? 1 : 0;
+    line.remove_prefix(length);
+  }
+  return count;
+}
+
+bool opens_another_section(std::string_view word) {
+  const Keyword keyword = find_keyword(word);
+  return keyword == Keyword::Hierarchy || keyword == Keyword::Root || keyword == Keyword::Motion || keyword == Keyword::Frames;
 }
 
 }  // namespace
@@ -44,21 +60,49 @@ bool RowReader::read_irregular_row() {
   return true;
 }
 
-/// Passes separators and, as long as frames are expected, comments.
+/// Passes separators and, as long as frames are expected, comments and lines of text.
 const char* RowReader::skip_gap(const char* p, bool& line_ends) {
   for (;;) {
     const std::string_view gap = rest(p).substr(0, gap_length(rest(p), survey_.look));
     line_ends = line_ends || has_line_end(gap);
     p += gap.size();
-    if (p == end_ || !starts_comment(rest(p)) || all_declared_read()) return p;
-    const std::string_view comment = first_line(rest(p));
-    if (!report_.count_repeat(DiagnosticCode::Comment)) {
-      report_.add(DiagnosticCode::Comment, offset_of(p),
-                  fmt::format("The comment '{}' is kept; most other programs stumble over comments.", shown(comment)), "",
-                  shown(comment));
-    }
-    p += comment.size();
+    if (p == end_ || all_declared_read()) return p;
+    const std::string_view comment = rest(p).substr(0, comment_length(rest(p)));
+    if (comment.empty() && !(line_ends && is_text_between_rows(p))) return p;
+    const std::string_view passed = comment.empty() ? first_line(rest(p)) : comment;
+    report_passed_text(p, passed, !comment.empty());
+    p += passed.size();
   }
+}
+
+/// True if the line at `p` begins with a word and is no row, by its length or for want of numbers, while a row follows within a few lines.
+bool RowReader::is_text_between_rows(const char* p) const {
+  constexpr int kMostLines = 8;
+  std::string_view left = rest(p);
+  if (survey_.layout == RowLayout::Stream || starts_like_number(word_at(p))) return false;
+  const std::string_view first = first_line(left);
+  if (count_values(first, survey_.look) == channel_count_ && 2 * count_numbers(first, survey_.look) >= channel_count_) return false;
+  for (int i = 0; i < kMostLines && !left.empty(); ++i) {
+    const std::string_view line = first_line(left);
+    const std::string_view words = line.substr(std::min(line.size(), gap_length(line, survey_.look)));
+    if (opens_another_section(TextCursor(words, 0).peek_word())) return false;
+    const int count = count_values(words, survey_.look);
+    const bool fits = count == channel_count_ || count == survey_.values_per_line;
+    if (count > 0 && starts_like_number(words.substr(0, value_length(words, survey_.look)))) {
+      return fits && holds_only_numbers(words, count, survey_.look);
+    }
+    left.remove_prefix(std::min(left.size(), line.size() + 1));
+  }
+  return false;
+}
+
+void RowReader::report_passed_text(const char* p, std::string_view text, bool is_comment) {
+  const DiagnosticCode code = is_comment ? DiagnosticCode::Comment : DiagnosticCode::UnexpectedToken;
+  if (report_.count_repeat(code)) return;
+  report_.add(code, offset_of(p),
+              is_comment ? fmt::format("The comment '{}' is kept; most other programs stumble over comments.", shown(text))
+                         : fmt::format("The line '{}' between the rows is no row; it was passed over and is kept.", shown(text)),
+              is_comment ? "" : "a row", shown(text));
 }
 
 /// True if what stands at `p`, where a row may begin, is not a row but text behind the motion.
@@ -167,7 +211,7 @@ RowReader::RowPlan RowReader::plan_stream_row(const char* p) {
     left.remove_prefix(gap_length(left, survey_.look));
     if (left.empty()) break;
     const bool comment = starts_comment(left) && !all_declared_read();
-    left.remove_prefix(comment ? first_line(left).size() : value_length(left, survey_.look));
+    left.remove_prefix(comment ? comment_length(left) : value_length(left, survey_.look));
     plan.value_count += comment ? 0 : 1;
   }
   plan.partial = plan.value_count < channel_count_;

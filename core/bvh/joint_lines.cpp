@@ -10,6 +10,7 @@
 #include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/bvh/keyword.h"
+#include "core/bvh/row_text.h"
 
 namespace marey {
 namespace {
@@ -34,9 +35,16 @@ class OffsetReader {
   bool in_first_line_ = true;
 };
 
-bool is_bracket_or_comma(char c) { return c == '[' || c == ']' || c == '(' || c == ')' || c == ',' || c == ';'; }
+/// Commas, colons and quotes, which some files have around the names of channels.
+bool is_name_mark(char c) { return c == ',' || c == ';' || c == ':' || c == '"' || c == '\''; }
 
-bool starts_number(char c) { return is_digit(c) || c == '-' || c == '+' || c == '.'; }
+bool is_bracket_or_comma(char c) { return c == '[' || c == ']' || c == '(' || c == ')' || c == ',' || c == ';' || c == '='; }
+
+/// A digit or point, maybe behind a sign.
+bool starts_number(std::string_view word) {
+  if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
+  return !word.empty() && (is_digit(word.front()) || word.front() == '.');
+}
 
 /// "0,5": one comma with digits on both sides and no point.
 bool has_decimal_comma(std::string_view word) {
@@ -47,6 +55,7 @@ bool has_decimal_comma(std::string_view word) {
 }
 
 OffsetRead OffsetReader::read() {
+  result_.end = cursor_.offset();
   while (!report_.failed() && read_value()) {
   }
   return std::move(result_);
@@ -54,6 +63,7 @@ OffsetRead OffsetReader::read() {
 
 void OffsetReader::keep(std::size_t begin, std::size_t length, double value) {
   if (result_.count < kMostOffsetValues) result_.values.push_back({begin, length, value});
+  result_.end = begin + length;
   ++result_.count;
 }
 
@@ -62,8 +72,10 @@ bool OffsetReader::read_value() {
   if (is_line_end(cursor_.peek())) in_first_line_ = false;
   cursor_.skip_blanks();
   const std::size_t place = cursor_.offset();
+  if (cursor_.peek() == ';' && result_.count >= 3) return false;
   if (is_bracket_or_comma(cursor_.peek())) {
-    bracketed_ = result_.repaired = true;
+    bracketed_ = true;
+    result_.patches.remove(place, 1);
     report_.add(DiagnosticCode::OffsetBracketed, place,
                 "The brackets and commas of this OFFSET were left out; BVH separates numbers by blanks.", "a number",
                 std::string(1, cursor_.peek()));
@@ -71,7 +83,7 @@ bool OffsetReader::read_value() {
     return true;
   }
   const std::string_view word = cursor_.peek_word();
-  if (starts_number(cursor_.peek()) || is_not_finite_text(word)) {
+  if (starts_number(word) || is_not_finite_text(word)) {
     read_word_as_number(word);
     return true;
   }
@@ -106,7 +118,8 @@ void OffsetReader::read_word_as_number(std::string_view word) {
 void OffsetReader::report_as_zero(std::string_view word, const NumberRead& number) {
   const std::size_t place = cursor_.offset();
   // Zero stays the reading of a number that is too small, so its text can stand.
-  if (number.value != 0.0 || number.length == 0 || is_not_finite_text(word)) result_.repaired = true;
+  const bool is_word = number.length == 0 || is_not_finite_text(word);
+  if (is_word || number.value != 0.0) result_.patches.replace(place, is_word ? word.size() : number.length, "0");
   if (is_not_finite_text(word)) {
     report_.add_each(DiagnosticCode::NotFinite, place, fmt::format("The offset '{}' was read as 0.", shown(word)),
                      "a finite number", shown(word));
@@ -124,27 +137,38 @@ void OffsetReader::check_what_follows() {
   const std::size_t place = cursor_.offset();
   const char next = cursor_.peek();
   if (cursor_.at_end() || is_blank(next) || next == '{' || next == '}' || is_bracket_or_comma(next)) return;
-  result_.repaired = true;
   if (next == '-' || next == '+') {
+    result_.patches.insert(place, " ");
     report_.add(DiagnosticCode::NumbersRunTogether, place, "A blank is missing between two numbers; it was added.",
                 "a blank", std::string(1, next));
     return;
   }
   const std::string_view rest = cursor_.peek_word();
+  result_.patches.remove(place, rest.size());
   report_.add_each(DiagnosticCode::BadNumber, place,
                    fmt::format("'{}' behind the number was left out.", shown(rest)), "a blank", shown(rest));
   cursor_.move_to(place + rest.size());
 }
 
-/// The count behind CHANNELS, if there is one; moves behind it.
-std::optional<double> take_count(TextCursor& cursor) {
+/// What stands in place of the count behind CHANNELS.
+struct CountRead {
+  std::optional<double> value;
+  std::size_t begin = 0;
+  std::size_t length = 0;  ///< 0: nothing stands there
+};
+
+/// Reads the count, if there is one, and moves behind it: also behind "3," and before the name in "3Zrotation".
+CountRead take_count(TextCursor& cursor) {
   cursor.skip_blanks();
   const std::string_view word = cursor.peek_word();
   const NumberRead number = read_number(word);
-  if (number.length == 0 || number.length != word.size()) return std::nullopt;
-  cursor.take_word();
-  if (number.value < 0.0 || number.value != std::floor(number.value)) return std::nullopt;
-  return number.value;
+  const std::string_view behind = word.substr(number.length);
+  const bool is_count = number.length > 0 && (behind.empty() || is_name_mark(behind.front()) || find_channel_kind(behind));
+  if (!is_count) return {};
+  CountRead read{std::nullopt, cursor.offset(), number.length};
+  cursor.move_to(read.begin + read.length);
+  if (number.value >= 0.0 && number.value == std::floor(number.value)) read.value = number.value;
+  return read;
 }
 
 void check_channel_spelling(const RawChannel& channel, std::size_t place, Report& report) {
@@ -160,42 +184,95 @@ void check_channel_spelling(const RawChannel& channel, std::size_t place, Report
   }
 }
 
+class ChannelsReader {
+ public:
+  ChannelsReader(TextCursor& cursor, Report& report) : cursor_(cursor), report_(report) {}
+
+  ChannelsRead read(int most);
+
+ private:
+  bool read_name(double declared);
+
+  TextCursor& cursor_;
+  Report& report_;
+  ChannelsRead result_;
+};
+
+ChannelsRead ChannelsReader::read(int most) {
+  const std::size_t begin = cursor_.offset();
+  const CountRead count = take_count(cursor_);
+  result_.end = cursor_.offset();
+  while (!report_.failed() && size_of(result_.channels) < most && read_name(count.value.value_or(0.0))) {
+  }
+  if (count.value == static_cast<double>(result_.channels.size())) return std::move(result_);
+  const std::string found = counted(size_of(result_.channels), "channel");
+  const std::string right = std::to_string(result_.channels.size());
+  if (count.length > 0) {
+    result_.patches.replace(count.begin, count.length, right);
+  } else {
+    result_.patches.insert(begin, " " + right);
+  }
+  report_.add_each(DiagnosticCode::ChannelCountMismatch, begin,
+                   fmt::format("CHANNELS announces {} and names {}; the names are used.",
+                               count.value ? fmt::format("{}", *count.value) : std::string("no usable count"), found),
+                   fmt::format("{}", count.value.value_or(0.0)), found);
+  return std::move(result_);
+}
+
+/// False if no further name stands here.
+bool ChannelsReader::read_name(double declared) {
+  skip_blanks_and_comments(cursor_, report_);
+  const std::size_t begin = cursor_.offset();
+  const std::string_view whole = cursor_.peek_word();
+  std::string_view word = whole;
+  while (!word.empty() && is_name_mark(word.front())) word.remove_prefix(1);
+  while (!word.empty() && is_name_mark(word.back())) word.remove_suffix(1);
+  const auto kind = find_channel_kind(word);
+  const bool wanted = size_of(result_.channels) < declared;
+  const bool only_marks = word.empty() && !whole.empty() && wanted;
+  if (!only_marks && (word.empty() || (!kind && (!wanted || find_keyword(whole) != Keyword::None)))) return false;
+  cursor_.take_word();
+  if (whole.size() != word.size()) {
+    result_.patches.replace(begin, whole.size(), std::string(word));
+    report_.add(DiagnosticCode::UnexpectedToken, begin,
+                fmt::format("The marks around the channel in '{}' were left out.", shown(whole)), "a channel", shown(whole));
+  }
+  result_.end = cursor_.offset();
+  if (only_marks) return true;
+  if (is_digit(cursor_.text()[begin - 1])) {
+    result_.patches.insert(begin, " ");
+    report_.add(DiagnosticCode::UnexpectedToken, begin, "The blank behind the number of channels is missing; it was added.",
+                "a blank", shown(whole));
+  }
+  result_.channels.push_back({kind.value_or(ChannelKind::Other), word});
+  check_channel_spelling(result_.channels.back(), begin, report_);
+  return true;
+}
+
 }  // namespace
 
 OffsetRead read_offset_values(TextCursor& cursor, Report& report) { return OffsetReader(cursor, report).read(); }
 
 ChannelsRead read_channel_names(TextCursor& cursor, int most, Report& report) {
-  ChannelsRead read;
-  const std::size_t begin = cursor.offset();
-  const std::optional<double> declared = take_count(cursor);
-  while (!report.failed() && size_of(read.channels) < most) {
-    skip_blanks_and_comments(cursor, report);
-    const std::size_t place = cursor.offset();
-    const std::string_view word = cursor.peek_word();
-    const auto kind = find_channel_kind(word);
-    const bool wanted = size_of(read.channels) < declared.value_or(0.0);
-    if (word.empty() || (!kind && (!wanted || find_keyword(word) != Keyword::None))) break;
-    cursor.take_word();
-    read.channels.push_back({kind.value_or(ChannelKind::Other), word});
-    check_channel_spelling(read.channels.back(), place, report);
+  return ChannelsReader(cursor, report).read(most);
+}
+
+void pass_blanks_and_comments(TextCursor& cursor) {
+  for (;;) {
+    cursor.skip_blanks();
+    const std::size_t length = comment_length(cursor.rest());
+    if (length == 0) return;
+    cursor.move_to(cursor.offset() + length);
   }
-  if (declared == static_cast<double>(read.channels.size())) return read;
-  const std::string found = counted(size_of(read.channels), "channel");
-  read.repaired = true;
-  report.add_each(DiagnosticCode::ChannelCountMismatch, begin,
-                  fmt::format("CHANNELS announces {} and names {}; the names are used.",
-                              declared ? fmt::format("{}", *declared) : std::string("no usable count"), found),
-                  fmt::format("{}", declared.value_or(0.0)), found);
-  return read;
 }
 
 void skip_blanks_and_comments(TextCursor& cursor, Report& report) {
   for (;;) {
     cursor.skip_blanks();
-    const std::string_view start = cursor.rest().substr(0, 2);
-    if (start.substr(0, 1) != "#" && start != "//") return;
     const std::size_t place = cursor.offset();
-    const std::string_view comment = cursor.skip_line();
+    const std::string_view comment = cursor.rest().substr(0, comment_length(cursor.rest()));
+    if (comment.empty()) return;
+    cursor.move_to(place + comment.size());
     if (report.count_repeat(DiagnosticCode::Comment)) continue;
     report.add(DiagnosticCode::Comment, place,
                fmt::format("The comment '{}' is kept; most other programs stumble over comments.", shown(comment)), "",

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/base/text_cursor.h"
+#include "core/bvh/header_patch.h"
 #include "core/bvh/report.h"
 #include "core/bvh/style.h"
 #include "core/skeleton/channel.h"
@@ -15,7 +16,8 @@ inline constexpr int kMostOffsetValues = 6;
 struct OffsetRead {
   std::vector<NumberSlot> values;  ///< the first kMostOffsetValues; always finite
   int count = 0;                   ///< of all values, 3 in a sound file
-  bool repaired = false;           ///< the text does not say plainly what was read
+  std::size_t end = 0;             ///< behind the last value
+  HeaderPatches patches;           ///< where the text does not say plainly what was read
 };
 
 /// Reads the numbers behind OFFSET, wherever the line ends are.
@@ -30,13 +32,17 @@ struct RawChannel {
 /// What stands behind the word CHANNELS.
 struct ChannelsRead {
   std::vector<RawChannel> channels;
-  bool repaired = false;
+  HeaderPatches patches;
+  std::size_t end = 0;  ///< behind the last name
 };
 
 /// Reads count and names behind CHANNELS. The names win over the count; at most `most` are read.
 [[nodiscard]] ChannelsRead read_channel_names(TextCursor& cursor, int most, Report& report);
 
-/// Passes blanks and comments ("#" or "//" to the end of the line), each comment reported.
+/// Passes blanks and comments in silence.
+void pass_blanks_and_comments(TextCursor& cursor);
+
+/// Passes blanks and comments, each comment reported.
 void skip_blanks_and_comments(TextCursor& cursor, Report& report);
 
 }  // namespace marey

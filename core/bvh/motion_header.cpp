@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/bvh/joint_lines.h"
 #include "core/bvh/keyword.h"
+#include "core/bvh/keyword_reader.h"
 #include "core/bvh/row_text.h"
 
 namespace marey {
@@ -37,13 +38,24 @@ class MotionHeaderReader {
   bool read_statement();
   bool starts_row(std::string_view word);
   void judge_line();
-  void read_frame_count();
-  void read_frame_time();
+  void skip_unknown_word();
+  void read_frame_count(std::size_t begin);
+  bool read_frame_line();
+  void read_frame_time(std::size_t begin);
+  void read_frame_rate(std::size_t begin);
   void read_time_value(std::string_view word, std::size_t place);
+  bool value_is_missing() const;
   void report_repeat(DiagnosticCode code, std::size_t place, std::string_view keyword);
   void pass_colon(std::string_view keyword);
   void check_case(std::string_view right);
   void report_missing_parts();
+  void report_missing_motion(bool has_part, bool has_rows);
+
+  /// From the keyword to the value of the line that was read last.
+  struct Line {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
 
   TextCursor& cursor_;
   int channel_count_;
@@ -55,6 +67,8 @@ class MotionHeaderReader {
   bool has_keyword_ = false;
   bool has_frame_count_ = false;  ///< or something in its place, which has been reported
   bool has_frame_time_ = false;
+  Line count_line_;
+  Line time_line_;
 };
 
 MotionHeader MotionHeaderReader::read() {
@@ -76,20 +90,43 @@ bool MotionHeaderReader::read_statement() {
   if (keyword != Keyword::None) line_end_ = 0;  // what follows it is judged anew
   switch (keyword) {
     case Keyword::Motion:
-      check_case("MOTION");
+      take_keyword(cursor_, keyword, result_.patches, report_);
       has_keyword_ = true;
       return true;
-    case Keyword::Frames: read_frame_count(); return true;
-    case Keyword::Frame: read_frame_time(); return true;
+    case Keyword::Frames:
+      check_case("Frames");
+      read_frame_count(place);
+      return true;
+    case Keyword::Frame:
+      if (read_frame_line()) return true;
+      break;
     default: break;
   }
+  if (!has_keyword_ && keyword == Keyword::None && find_misspelled_keyword(word) == Keyword::Motion) {
+    take_keyword(cursor_, Keyword::Motion, result_.patches, report_);
+    has_keyword_ = true;
+    return true;
+  }
   if (starts_row(word)) return false;
-  cursor_.take_word();
-  result_.needs_printing = true;
+  skip_unknown_word();
+  return true;
+}
+
+/// "FPS: 25" is a frame rate; anything else is left out.
+void MotionHeaderReader::skip_unknown_word() {
+  const std::size_t place = cursor_.offset();
+  const std::string_view word = cursor_.take_word();
+  std::string_view letters = word;
+  while (!letters.empty() && is_keyword_punctuation(letters.back())) letters.remove_suffix(1);
+  if (equal_ignoring_case(letters, "FPS") && !has_frame_time_) {
+    cursor_.move_to(place + letters.size());
+    read_frame_rate(place);
+    return;
+  }
+  result_.patches.remove(place, word.size());
   report_.add_each(DiagnosticCode::UnexpectedToken, place,
                    fmt::format("'{}' means nothing here and was left out.", shown(word)), "Frames: or Frame Time:",
                    shown(word));
-  return true;
 }
 
 /// True if the word begins the first row, or stands there in place of a number.
@@ -137,60 +174,142 @@ void MotionHeaderReader::check_case(std::string_view right) {
   cursor_.move_to(cursor_.offset() + found.size());
 }
 
+/// Passes the colon, and blanks up to the value: in this line, or in the next one if it stands alone there.
 void MotionHeaderReader::pass_colon(std::string_view keyword) {
+  const std::size_t begin = cursor_.offset();
   cursor_.skip_blanks_in_line();
-  if (cursor_.peek() == ':') {
-    cursor_.move_to(cursor_.offset() + 1);
-  } else {
-    result_.needs_printing = true;
-    report_.add_each(DiagnosticCode::UnexpectedToken, cursor_.offset(),
+  const std::size_t place = cursor_.offset();
+  const char found = cursor_.peek();
+  if (is_keyword_punctuation(found)) cursor_.move_to(place + 1);
+  if (found != ':') {
+    const bool stands_apart = place > begin && cursor_.offset() == place;
+    const std::size_t passed = cursor_.offset() == place ? 0 : place + 1 - begin;
+    result_.patches.replace(begin, passed, stands_apart || is_blank(cursor_.peek()) ? ":" : ": ");
+    report_.add_each(DiagnosticCode::UnexpectedToken, place,
                      fmt::format("The colon behind {} is missing; it was added.", keyword), ":",
-                     shown(cursor_.peek_word()));
+                     shown(TextCursor(cursor_.text(), place).peek_word()));
   }
-  cursor_.skip_blanks();
+  cursor_.skip_blanks_in_line();
+  if (!is_line_end(cursor_.peek())) return;
+  TextCursor next = cursor_;
+  next.skip_blanks();
+  const std::size_t value = next.offset();
+  next.take_word();
+  next.skip_blanks_in_line();
+  if (next.at_end() || is_line_end(next.peek())) cursor_.move_to(value);
 }
 
-void MotionHeaderReader::read_frame_count() {
+/// True if the line ends where the value should stand.
+bool MotionHeaderReader::value_is_missing() const { return cursor_.at_end() || is_line_end(cursor_.peek()); }
+
+void MotionHeaderReader::read_frame_count(std::size_t begin) {
   constexpr double kLargestWhole = 9e15;
-  const std::size_t begin = cursor_.offset();
-  check_case("Frames");
   pass_colon("Frames");
-  const std::string_view word = cursor_.peek_word();
+  const std::string_view word = value_is_missing() ? std::string_view() : cursor_.peek_word();
+  const bool is_next_keyword = find_keyword(word) != Keyword::None;
   const NumberRead number = read_number(word);
   const bool whole = number.length > 0 && number.length == word.size() && number.value >= 0.0 &&
                      number.value <= kLargestWhole && number.value == std::floor(number.value);
   if (has_frame_count_) report_repeat(DiagnosticCode::RepeatedFrameCount, begin, "Frames:");
   has_frame_count_ = true;
+  const std::size_t place = cursor_.offset();
   if (whole) {
     result_.declared_frames = static_cast<std::int64_t>(number.value);
-    result_.frame_count_slot = {cursor_.offset(), word.size(), number.value};
+    result_.frame_count_slot = {place, word.size(), number.value};
   } else {
-    result_.needs_printing = true;
-    report_.add(DiagnosticCode::MissingFrameCount, cursor_.offset(),
+    const std::size_t taken = is_next_keyword ? 0 : word.size();
+    result_.patches.replace(place, taken, is_blank(cursor_.text()[place - 1]) ? std::string(1, kFrameCountMark) : std::string(" ") + kFrameCountMark);
+    report_.add(DiagnosticCode::MissingFrameCount, place,
                 fmt::format("'{}' is not a frame count; the rows were counted instead.", shown(word)), "a whole number",
                 shown(word));
   }
-  if (starts_like_number(word)) cursor_.take_word();
+  if (!is_next_keyword) cursor_.move_to(place + word.size());
+  count_line_ = {begin, cursor_.offset()};
 }
 
-void MotionHeaderReader::read_frame_time() {
+/// "Frame Time:" and its like; false if "Frame" is a word like others.
+bool MotionHeaderReader::read_frame_line() {
+  TextCursor ahead = cursor_;
   const std::size_t begin = cursor_.offset();
+  ahead.move_to(begin + keyword_text(Keyword::Frame).size());
+  const std::size_t gap_begin = ahead.offset();
+  if (ahead.peek() == '_' || ahead.peek() == '-') ahead.move_to(gap_begin + 1);
+  const bool joined = ahead.offset() > gap_begin;
+  ahead.skip_blanks_in_line();
+  const auto goes_on_with = [&](std::string_view word) { return equal_ignoring_case(ahead.rest().substr(0, word.size()), word); };
+  const bool time = goes_on_with("Time");
+  const bool rate = goes_on_with("Rate");
+  const bool count = goes_on_with("Count");
+  if (!time && !rate && !count && ahead.peek() != ':') return false;
   check_case("Frame");
-  cursor_.skip_blanks();
-  if (equal_ignoring_case(cursor_.rest().substr(0, 4), "Time")) check_case("Time");
+  cursor_.move_to(ahead.offset());
+  if (joined) {
+    result_.patches.replace(gap_begin, 1, " ");
+    report_.add_each(DiagnosticCode::UnexpectedToken, begin, "'Frame Time' is written in one word; it was read as two.",
+                     "Frame Time:", shown(TextCursor(cursor_.text(), begin).peek_word()));
+  }
+  if (rate || count) cursor_.move_to(cursor_.offset() + (rate ? 4 : 5));
+  if (time) check_case("Time");
+  if (rate) {
+    read_frame_rate(begin);
+  } else if (count || (!time && !has_frame_count_)) {
+    result_.patches.replace(begin, cursor_.offset() - begin, "Frames");
+    report_.add_each(DiagnosticCode::UnexpectedToken, begin, "This line was read as Frames.", "Frames:",
+                     shown(cursor_.text().substr(begin, cursor_.offset() - begin)));
+    read_frame_count(begin);
+  } else {
+    read_frame_time(begin);
+  }
+  return true;
+}
+
+/// A frame time that is written as its inverse.
+void MotionHeaderReader::read_frame_rate(std::size_t begin) {
+  cursor_.skip_blanks_in_line();
+  if (is_keyword_punctuation(cursor_.peek())) cursor_.move_to(cursor_.offset() + 1);
+  cursor_.skip_blanks_in_line();
+  const std::string_view word = cursor_.peek_word();
+  const NumberRead number = read_number(word);
+  const bool usable = number.length > 0 && number.length == word.size() && number.value > 0.0 && std::isfinite(1.0 / number.value);
+  if (!value_is_missing()) cursor_.take_word();
+  const std::size_t length = cursor_.offset() - begin;
+  if (!usable || has_frame_time_) {
+    result_.patches.remove(begin, length);
+    report_.add_each(DiagnosticCode::UnexpectedToken, begin, "This frame rate is not used; it was left out.", "Frame Time:",
+                     shown(cursor_.text().substr(begin, length)));
+    return;
+  }
+  has_frame_time_ = true;
+  result_.frame_time_s = 1.0 / number.value;
+  std::string text = "Frame Time: ";
+  append_number(result_.frame_time_s, NumberFormat{}, text);
+  result_.patches.replace(begin, length, text);
+  report_.add(DiagnosticCode::FrameTimeLooksLikeRate, begin,
+              fmt::format("The frame rate {} stands in place of the frame time; 1/{} of a second is used.", shown(word),
+                          shown(word)),
+              "Frame Time:", shown(word));
+  time_line_ = {begin, cursor_.offset()};
+}
+
+void MotionHeaderReader::read_frame_time(std::size_t begin) {
   pass_colon("Frame Time");
   const std::size_t place = cursor_.offset();
-  const std::string_view word = cursor_.peek_word();
-  if (!starts_like_number(word)) return;
+  const std::string_view word = value_is_missing() ? std::string_view() : cursor_.peek_word();
+  if (!starts_like_number(word)) {
+    result_.patches.remove(begin, place - begin);
+    return;
+  }
   cursor_.take_word();
   if (has_frame_time_) report_repeat(DiagnosticCode::RepeatedFrameTime, begin, "Frame Time:");
   has_frame_time_ = true;
   read_time_value(word, place);
   result_.frame_time_slot = {place, word.size(), result_.frame_time_s};
+  time_line_ = {begin, cursor_.offset()};
 }
 
 void MotionHeaderReader::report_repeat(DiagnosticCode code, std::size_t place, std::string_view keyword) {
-  result_.needs_printing = true;
+  const Line& before = code == DiagnosticCode::RepeatedFrameCount ? count_line_ : time_line_;
+  result_.patches.remove(before.begin, before.end - before.begin);
   report_.add(code, place, fmt::format("'{}' stands here a second time; the last one is used.", keyword), "the first row",
               std::string(keyword));
 }
@@ -218,12 +337,10 @@ void MotionHeaderReader::read_time_value(std::string_view word, std::size_t plac
   }
 }
 
-void MotionHeaderReader::report_missing_parts() {
+void MotionHeaderReader::report_missing_motion(bool has_part, bool has_rows) {
   const std::size_t end = cursor_.offset();
-  const bool has_rows = !cursor_.at_end();
-  const bool has_part = has_frame_time_ || has_frame_count_;
   if (!has_keyword_) {
-    result_.needs_printing = result_.needs_printing || has_part || has_rows;
+    if (has_part || has_rows) result_.patches.insert(begin_.value_or(end), "MOTION\n");
     report_.add(DiagnosticCode::MissingMotion, begin_.value_or(end),
                 has_part || has_rows ? "The word MOTION is missing; it was added."
                                      : "The file has no motion; the figure is shown in its rest pose.",
@@ -232,14 +349,25 @@ void MotionHeaderReader::report_missing_parts() {
     report_.add(DiagnosticCode::MissingMotion, end,
                 "Nothing stands behind MOTION; the figure is shown in its rest pose.", "Frames:", "the end of the file");
   }
+}
+
+void MotionHeaderReader::report_missing_parts() {
+  const std::size_t end = cursor_.offset();
+  const bool has_rows = !cursor_.at_end();
+  const bool has_part = has_frame_time_ || has_frame_count_;
+  report_missing_motion(has_part, has_rows);
   if (!has_part && !has_rows) return;
+  const bool opens_line = end == 0 || is_line_end(cursor_.text()[end - 1]);
+  const std::string gap = opens_line ? "" : "\n";
   if (!has_frame_count_) {
-    result_.needs_printing = true;
+    result_.patches.insert(has_frame_time_ ? time_line_.begin : end, (has_frame_time_ ? "" : gap) + "Frames: " + kFrameCountMark + "\n");
     report_.add(DiagnosticCode::MissingFrameCount, end, "'Frames:' is missing; the rows were counted instead.", "Frames:",
                 "");
   }
   if (!has_frame_time_) {
-    result_.needs_printing = true;
+    std::string text = gap + "Frame Time: ";
+    append_number(result_.frame_time_s, NumberFormat{}, text);
+    result_.patches.insert(end, text + "\n");
     report_.add(DiagnosticCode::MissingFrameTime, end, "'Frame Time:' is missing; 1/30 of a second is used.",
                 "Frame Time:", "");
   }
@@ -248,9 +376,9 @@ void MotionHeaderReader::report_missing_parts() {
 }  // namespace
 
 bool starts_like_number(std::string_view word) {
-  if (word.empty()) return false;
-  const char first = word.front();
-  return is_digit(first) || first == '-' || first == '+' || first == '.' || is_not_finite_text(word);
+  if (is_not_finite_text(word)) return true;
+  if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.remove_prefix(1);
+  return !word.empty() && (is_digit(word.front()) || word.front() == '.');
 }
 
 MotionHeader read_motion_header(TextCursor& cursor, int channel_count, Report& report) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/text_cursor.h"
+#include "core/bvh/header_patch.h"
 #include "core/bvh/report.h"
 #include "core/bvh/style.h"
 
@@ -17,7 +18,7 @@ struct MotionHeader {
   NumberSlot frame_count_slot;
   NumberSlot frame_time_slot{0, 0, 1.0 / 30.0};  ///< its value is frame_time_s, whatever the text says
   std::size_t data_begin = 0;   ///< the first sample, or the end of the text
-  bool needs_printing = false;  ///< a part is missing
+  HeaderPatches patches;        ///< where a part is missing or means nothing
 };
 
 /// Reads MOTION, Frames: and Frame Time: in any order and spacing; each may be missing. A line of `channel_count` words,

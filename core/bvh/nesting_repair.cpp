@@ -79,7 +79,7 @@ void join_in_tree(HierarchyText& hierarchy, EventRange range, std::vector<bool>&
   for (const int event : early) {
     join(hierarchy, event, report);
     taken_away[idx(event)] = true;
-    hierarchy.needs_printing = true;
+    hierarchy.patches.give_up();  // the indent would tell of another tree
   }
 }
 

@@ -89,6 +89,11 @@ std::vector<OffsetReading> find_offset_readings(std::string_view text, const Off
   return readings;
 }
 
+void patch_offset(const OffsetRead& offset, std::size_t keyword_end, const OffsetReading& reading, HeaderPatches& patches) {
+  const std::size_t begin = offset.values.empty() ? keyword_end : offset.values.front().begin;
+  patches.replace(begin, offset.end - begin, (offset.values.empty() ? " " : "") + reading.text);
+}
+
 void report_offset_reading(std::string_view owner, std::size_t place, int value_count, const OffsetReading& reading,
                            Report& report) {
   report.add_each(DiagnosticCode::OffsetValueCount, place,

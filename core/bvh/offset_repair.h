@@ -23,4 +23,7 @@ struct OffsetReading {
 void report_offset_reading(std::string_view owner, std::size_t place, int value_count, const OffsetReading& reading,
                            Report& report);
 
+/// The edit that makes the text of an OFFSET say `reading`. `keyword_end` is behind the word OFFSET.
+void patch_offset(const OffsetRead& offset, std::size_t keyword_end, const OffsetReading& reading, HeaderPatches& patches);
+
 }  // namespace marey

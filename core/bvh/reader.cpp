@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/bits.h"
 #include "core/base/index.h"
 #include "core/bvh/clip_findings.h"
 #include "core/bvh/format_guess.h"
@@ -13,6 +14,7 @@
 #include "core/bvh/motion_header.h"
 #include "core/bvh/motion_rows.h"
 #include "core/bvh/text_encoding.h"
+#include "core/bvh/wide_blanks.h"
 
 namespace marey {
 namespace {
@@ -23,17 +25,12 @@ std::string_view first_line_end(std::string_view text) {
   return text.substr(at, 2) == "\r\n" ? "\r\n" : text.substr(at, 1);
 }
 
-/// The blanks before the first OFFSET, if it stands alone in its line.
-std::string_view first_indent(std::string_view text, std::size_t offset_place) {
-  std::size_t begin = offset_place;
-  while (begin > 0 && (text[begin - 1] == ' ' || text[begin - 1] == '\t')) --begin;
-  const bool alone = begin > 0 && is_line_end(text[begin - 1]) && begin < offset_place;
-  return alone ? text.substr(begin, offset_place - begin) : std::string_view("  ");
-}
-
-HeaderStyle learn_header_style(std::string_view text, const HierarchyText& hierarchy) {
+HeaderStyle learn_header_style(std::string_view text, std::size_t begin, const HierarchyText& hierarchy) {
   constexpr std::size_t kMostNumbers = 1024;
   HeaderStyle style;
+  TextCursor before(text, begin);
+  pass_blanks_and_comments(before);
+  style.before = text.substr(0, before.offset());
   style.line_end = first_line_end(text);
   std::vector<std::string_view> numbers;
   for (const RawBlock& block : hierarchy.blocks) {
@@ -41,18 +38,34 @@ HeaderStyle learn_header_style(std::string_view text, const HierarchyText& hiera
     for (const NumberSlot& slot : block.offset.values) numbers.push_back(text.substr(slot.begin, slot.length));
   }
   style.offset_format = guess_format(numbers, '.');
-  const auto first = std::find_if(hierarchy.blocks.begin(), hierarchy.blocks.end(),
-                                  [](const RawBlock& block) { return block.has_offset; });
-  if (first != hierarchy.blocks.end()) style.indent = first_indent(text, first->offset_place);
+  style.indent = find_indent(text, hierarchy);
   return style;
+}
+
+/// Reads a header that was patched, followed by `rows`; its text is empty if it needs further repairs.
+HeaderText read_header(std::string text, std::string_view rows, std::size_t begin, const ReadLimits& limits) {
+  const std::size_t size = text.size();
+  text += rows;
+  Report report(text, false);
+  TextCursor cursor(text, begin);
+  HierarchyText words = read_hierarchy_text(cursor, limits, report);
+  if (report.failed() || !words.patches.empty()) return {};
+  Hierarchy hierarchy = build_hierarchy(text, std::move(words), limits, report);
+  if (report.failed() || !hierarchy.patches.empty() || !hierarchy.open_offsets.empty()) return {};
+  const MotionHeader header = read_motion_header(cursor, hierarchy.skeleton.channel_count(), report);
+  if (report.failed() || !header.patches.empty() || header.data_begin != size) return {};
+  text.resize(size);
+  return {std::move(text), std::move(hierarchy.skeleton), std::move(hierarchy.offset_slots), header.frame_count_slot,
+          header.frame_time_slot};
 }
 
 class BvhReader {
  public:
-  BvhReader(const DecodedText& decoded, std::string_view bytes, const ReadOptions& options, Report& report)
+  BvhReader(const DecodedText& decoded, std::string_view bytes, std::size_t copied_bytes, const ReadOptions& options,
+            Report& report)
       : text_(decoded.text),
         whole_text_(decoded.encoding == TextEncoding::Bytes ? bytes : std::string_view(decoded.converted)),
-        text_bytes_(static_cast<std::int64_t>(bytes.size() + decoded.converted.capacity())),
+        text_bytes_(static_cast<std::int64_t>(bytes.size() + decoded.converted.capacity() + copied_bytes)),
         begin_(decoded.begin),
         options_(options),
         report_(report) {}
@@ -64,6 +77,7 @@ class BvhReader {
   void read_motion();
   void report_tail(std::size_t rows_end);
   void keep_style(MotionRows& rows);
+  void keep_header();
 
   std::string_view text_;
   std::string_view whole_text_;  ///< with NUL bytes at its end
@@ -85,6 +99,7 @@ BvhClip BvhReader::read() {
   read_motion();
   if (report_.failed()) return {};
   settle_open_offsets(hierarchy_, clip_.motion, report_);
+  keep_header();
   note_tree_habits(hierarchy_, report_);
   clip_.position_rule = find_position_rule(hierarchy_, clip_.motion, report_);
   clip_.skeleton = std::move(hierarchy_.skeleton);
@@ -94,7 +109,7 @@ BvhClip BvhReader::read() {
 void BvhReader::read_hierarchy(TextCursor& cursor) {
   HierarchyText hierarchy = read_hierarchy_text(cursor, options_.limits, report_);
   if (report_.failed()) return;
-  clip_.style.header = learn_header_style(text_, hierarchy);
+  clip_.style.header = learn_header_style(whole_text_, begin_, hierarchy);
   hierarchy_ = build_hierarchy(text_, std::move(hierarchy), options_.limits, report_);
 }
 
@@ -141,12 +156,27 @@ void BvhReader::keep_style(MotionRows& rows) {
   BvhStyle& style = clip_.style;
   style.motion = std::move(rows.style);
   style.motion.tail = whole_text_.substr(rows.end);
-  if (hierarchy_.needs_printing || header_.needs_printing) return;
-  style.header_text.text = text_.substr(0, header_.data_begin);
-  style.header_text.skeleton = hierarchy_.skeleton;
-  style.header_text.offsets = std::move(hierarchy_.offset_slots);
-  style.header_text.frame_count = header_.frame_count_slot;
-  style.header_text.frame_time = header_.frame_time_slot;
+}
+
+/// Keeps the text before the rows if it says what was understood, or can be made to say it by edits here and there.
+void BvhReader::keep_header() {
+  HeaderPatches patches = hierarchy_.patches;
+  patches.append(header_.patches);
+  HeaderText& header = clip_.style.header_text;
+  const std::string_view before_rows = whole_text_.substr(0, header_.data_begin);
+  if (patches.empty()) {
+    header = {std::string(before_rows), hierarchy_.skeleton, std::move(hierarchy_.offset_slots), header_.frame_count_slot,
+              header_.frame_time_slot};
+    return;
+  }
+  if (!patches.is_local()) return;
+  const std::string& line_end = clip_.style.header.line_end;
+  constexpr std::size_t kSomeRows = 4096;
+  const std::string_view rows = text_.substr(header_.data_begin, kSomeRows);
+  HeaderText patched = read_header(patches.applied_to(before_rows, line_end, clip_.motion.frame_count()), rows, begin_,
+                                   options_.limits);
+  const bool same_time = same_bits(patched.frame_time.value, clip_.motion.frame_time_s());
+  if (same_time && patched.skeleton == hierarchy_.skeleton) header = std::move(patched);
 }
 
 }  // namespace
@@ -164,7 +194,10 @@ Result<BvhClip> read_bvh(std::string_view text, const ReadOptions& options) {
   if (encoding_report.failed()) return encoding_report.error();
   Report report(decoded.text, options.strict);
   report.take_over(encoding_report.take_diagnostics());
-  BvhClip clip = BvhReader(decoded, text, options, report).read();
+  const std::string plain = with_plain_blanks(decoded.text, decoded.begin, report);
+  if (report.failed()) return report.error();
+  if (!plain.empty()) decoded.text = plain;
+  BvhClip clip = BvhReader(decoded, text, plain.size(), options, report).read();
   if (report.failed()) return report.error();
   clip.style.encoding = decoded.encoding;
   clip.diagnostics = report.take_diagnostics();

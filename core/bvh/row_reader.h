@@ -48,6 +48,8 @@ class RowReader {
   bool read_irregular_row();
   const char* skip_gap(const char* p, bool& line_ends);
   bool ends_here(const char* p);
+  [[nodiscard]] bool is_text_between_rows(const char* p) const;
+  void report_passed_text(const char* p, std::string_view text, bool is_comment);
   bool surplus_rows_are_frames(const char* p);
   bool settle_line_remainder(const char* p);
   RowPlan plan_row(const char* p, bool shares_line);

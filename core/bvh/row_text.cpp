@@ -30,6 +30,15 @@ std::size_t gap_length(std::string_view text, const NumberLook& look) {
 
 bool has_line_end(std::string_view gap) { return gap.find_first_of("\r\n") != std::string_view::npos; }
 
-bool starts_comment(std::string_view text) { return text.substr(0, 1) == "#" || text.substr(0, 2) == "//"; }
+std::size_t comment_length(std::string_view text) {
+  if (!starts_comment(text)) return 0;
+  const std::size_t block_end = text.substr(0, 2) == "/*" ? text.find("*/", 2) : std::string_view::npos;
+  return block_end != std::string_view::npos ? block_end + 2 : first_line(text).size();
+}
+
+bool starts_comment(std::string_view text) {
+  const std::string_view start = text.substr(0, 2);
+  return text.substr(0, 1) == "#" || text.substr(0, 1) == ";" || start == "//" || start == "/*";
+}
 
 }  // namespace marey

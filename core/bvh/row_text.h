@@ -10,12 +10,13 @@ namespace marey {
 /// How numbers are told apart in the rows of one file.
 struct NumberLook {
   char point = '.';             ///< ',' when decimal commas are the habit of the file
-  bool commas_separate = false;  ///< a comma or semicolon between numbers counts as a blank
+  bool commas_separate = false;      ///< a comma or semicolon between numbers counts as a blank
+  bool semicolons_separate = false;  ///< a semicolon alone does, beside decimal commas
 };
 
 /// True for what may stand between two numbers.
 [[nodiscard]] inline bool is_separator(char c, const NumberLook& look) {
-  return is_blank(c) || (look.commas_separate && (c == ',' || c == ';'));
+  return is_blank(c) || (c == ';' && (look.commas_separate || look.semicolons_separate)) || (c == ',' && look.commas_separate);
 }
 
 /// True if a number ends before text[at] because the sign of the next one stands there ("0.0-7.509").
@@ -37,7 +38,10 @@ struct NumberLook {
 
 [[nodiscard]] bool has_line_end(std::string_view gap);
 
-/// True at "#" and "//".
+/// Length of the comment at the start of `text`, 0 if there is none: "#", "//" or ";" to the end of the line, "/*" to
+/// the next "*/" or, without one, to the end of the line.
+[[nodiscard]] std::size_t comment_length(std::string_view text);
+
 [[nodiscard]] bool starts_comment(std::string_view text);
 
 }  // namespace marey

@@ -31,6 +31,7 @@ struct HeaderText {
 
 /// How a header is printed anew.
 struct HeaderStyle {
+  std::string before;  ///< what stands above HIERARCHY: byte order mark, comments
   std::string line_end = "\n";
   std::string indent = "  ";  ///< per level
   NumberFormat offset_format;

@@ -9,6 +9,17 @@
 
 namespace marey::test {
 
+Rows three_rows() { return {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}}; }
+
+std::string with_motion(std::string_view motion) { return std::string(kOneJoint) + std::string(motion); }
+
+std::string replaced(std::string text, std::string_view what, std::string_view by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
 std::string one_joint_file(std::string_view frames, std::string_view rows) {
   return fmt::format("{}MOTION\nFrames: {}\nFrame Time: 0.033333\n{}", kOneJoint, frames, rows);
 }
@@ -58,6 +69,13 @@ void expect_finding(const BvhClip& clip, DiagnosticCode code, TextPlace place, i
   EXPECT_EQ(finding->message.back(), '.');
   if (place.line == 0) return;
   EXPECT_EQ(finding->place, place) << listing(clip);
+}
+
+void expect_three_rows_silently(const std::string& text) {
+  const BvhClip clip = read_or_fail(text);
+  EXPECT_EQ(rows_of(clip), three_rows()) << text;
+  expect_no_warnings(clip);
+  EXPECT_EQ(written(clip), text);
 }
 
 void expect_no_warnings(const BvhClip& clip) {

@@ -24,6 +24,20 @@ inline constexpr std::string_view kOneJoint =
     "  }\n"
     "}\n";
 
+/// Lines of a joint "Chest" with three rotations at 0 5 0 and an End Site at 0 6 0, for file_with_lines().
+inline constexpr std::string_view kChild =
+    "  JOINT Chest\n  {\n    OFFSET 0 5 0\n    CHANNELS 3 Zrotation Xrotation Yrotation\n    End Site\n    {\n"
+    "      OFFSET 0 6 0\n    }\n  }\n";
+
+/// The values 1 to 9 as three rows.
+[[nodiscard]] Rows three_rows();
+
+/// kOneJoint with this motion section.
+[[nodiscard]] std::string with_motion(std::string_view motion);
+
+/// `text` with every `what` exchanged.
+[[nodiscard]] std::string replaced(std::string text, std::string_view what, std::string_view by);
+
 /// kOneJoint with `frames` declared and `rows` as its rows; the first row stands in line 14.
 [[nodiscard]] std::string one_joint_file(std::string_view frames, std::string_view rows);
 
@@ -43,6 +57,9 @@ inline constexpr std::string_view kOneJoint =
 
 /// Expects a finding of this code, at this place unless the line is 0.
 void expect_finding(const BvhClip& clip, DiagnosticCode code, TextPlace place = {}, int count = 1);
+
+/// Expects three_rows(), no warnings, and the same bytes when written.
+void expect_three_rows_silently(const std::string& text);
 
 /// Expects no finding but notes.
 void expect_no_warnings(const BvhClip& clip);

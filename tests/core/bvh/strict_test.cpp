@@ -29,6 +29,7 @@ std::vector<Offence> hierarchy_offences() {
       {Code::UnexpectedToken, joint_file("  q\n" + tip)},
       {Code::UnexpectedEnd, "HIERARCHY\nROOT a\n{\n  OFFSET 0 0 0\n  CHANNELS 0\n" + tip},
       {Code::ByteOrderMark, "\xef\xbb\xbf" + joint_file(tip)},
+      {Code::WideBlank, joint_file("  End\u00a0Site\n  {\n    OFFSET 0 1 0\n  }\n")},
       {Code::TextAfterHierarchyEnd, joint_file(tip + "}\nq\nROOT c\n{\n  OFFSET 0 0 0\n  CHANNELS 0\n" + tip)},
       {Code::MissingHierarchyKeyword, joint_file(tip).substr(10)},
       {Code::JointOutsideRoot, joint_file(tip + "}\nJOINT c\n{\n  OFFSET 0 0 0\n  CHANNELS 0\n" + tip)},

@@ -1,0 +1,103 @@
+#include "core/bvh/wide_blanks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/plain_number.h"
+#include "core/base/text_cursor.h"
+#include "core/bvh/keyword.h"
+#include "core/bvh/row_text.h"
+
+namespace marey {
+namespace {
+
+constexpr std::array<std::string_view, 21> kWideBlanks = {
+    "\xc2\x85",     "\xc2\xa0",     "\xe1\x9a\x80", "\xe2\x80\x80", "\xe2\x80\x81", "\xe2\x80\x82", "\xe2\x80\x83",
+    "\xe2\x80\x84", "\xe2\x80\x85", "\xe2\x80\x86", "\xe2\x80\x87", "\xe2\x80\x88", "\xe2\x80\x89", "\xe2\x80\x8a",
+    "\xe2\x80\x8b", "\xe2\x80\xa8", "\xe2\x80\xa9", "\xe2\x80\xaf", "\xe2\x81\x9f", "\xe3\x80\x80", "\xef\xbb\xbf"};
+
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// The next byte from `at` on that is not ASCII, or the end.
+std::size_t find_beyond_ascii(std::string_view text, std::size_t at) {
+  while (at + 8 <= text.size() && (detail::load_eight(text.data() + at) & 0x8080808080808080U) == 0) at += 8;
+  while (at < text.size() && is_ascii(text[at])) ++at;
+  return at;
+}
+
+/// Length of the blank beyond ASCII at text[at], 0 if there is none. A lone A0 is the no-break blank of Latin-1.
+std::size_t wide_blank_length(std::string_view text, std::size_t at) {
+  if (at >= text.size()) return 0;
+  if (text[at] == '\xa0') {
+    const bool alone = (at == 0 || is_ascii(text[at - 1])) && (at + 1 == text.size() || is_ascii(text[at + 1]));
+    return alone ? 1 : 0;
+  }
+  const auto found = std::find_if(kWideBlanks.begin(), kWideBlanks.end(), [&](std::string_view blank) {
+    return text.substr(at, blank.size()) == blank;
+  });
+  return found == kWideBlanks.end() ? 0 : found->size();
+}
+
+/// Moves behind blanks of any kind in the line.
+std::size_t behind_blanks(std::string_view line, std::size_t at) {
+  for (;;) {
+    const std::size_t length = at < line.size() && is_blank(line[at]) ? 1 : wide_blank_length(line, at);
+    if (length == 0) return at;
+    at += length;
+  }
+}
+
+/// Where the name of a joint begins in its line; npos in other lines.
+std::size_t find_name(std::string_view line) {
+  const std::size_t begin = behind_blanks(line, 0);
+  for (const Keyword keyword : {Keyword::Root, Keyword::Joint, Keyword::End}) {
+    const std::string_view text = keyword_text(keyword);
+    std::size_t end = begin + text.size();
+    if (!equal_ignoring_case(line.substr(begin, text.size()), text) || behind_blanks(line, end) == end) continue;
+    end = behind_blanks(line, end);
+    const bool has_site = keyword == Keyword::End && equal_ignoring_case(line.substr(end, 4), "Site");
+    return behind_blanks(line, has_site ? end + 4 : end);
+  }
+  return std::string_view::npos;
+}
+
+/// True if the blank at line[at] separates, and is not part of a name or a comment.
+bool separates(std::string_view line, std::size_t at) {
+  const std::size_t name = find_name(line);
+  if (name == std::string_view::npos) return !starts_comment(line.substr(behind_blanks(line, 0)));
+  if (at < name) return true;
+  const std::size_t behind = behind_blanks(line, at);
+  return behind == line.size() || line[behind] == '{' || line[behind] == '}';
+}
+
+std::string_view line_around(std::string_view text, std::size_t at) {
+  const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of("\r\n", at - 1);
+  const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+  return text.substr(begin, text.find_first_of("\r\n", at) - begin);
+}
+
+}  // namespace
+
+std::string with_plain_blanks(std::string_view text, std::size_t begin, Report& report) {
+  std::string result;
+  for (std::size_t at = find_beyond_ascii(text, begin); at < text.size(); at = find_beyond_ascii(text, at)) {
+    const std::size_t length = wide_blank_length(text, at);
+    const std::string_view line = length > 0 ? line_around(text, at) : std::string_view();
+    if (length > 0 && separates(line, static_cast<std::size_t>(text.data() + at - line.data()))) {
+      if (result.empty()) {
+        result = text;
+        report.add(DiagnosticCode::WideBlank, at,
+                   "Blanks that are not ASCII stand between the words; they were read as blanks, most other programs cannot "
+                   "read them.",
+                   "a blank", shown(text.substr(at, length)));
+      }
+      std::fill_n(result.begin() + static_cast<std::ptrdiff_t>(at), length, ' ');
+    }
+    at += std::max<std::size_t>(length, 1);
+  }
+  return result;
+}
+
+}  // namespace marey
