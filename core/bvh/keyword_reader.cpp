@@ -18,6 +18,8 @@ void check_case(Keyword keyword, std::string_view word, std::size_t place, Repor
 
 /// True if HIERARCHY stands alone in a later line, before any block.
 bool goes_on_with_hierarchy(std::string_view text) {
+  constexpr std::size_t kLongestPreface = 8192;
+  text = text.substr(0, kLongestPreface);
   text = text.substr(0, text.find('{'));
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));

@@ -31,8 +31,10 @@ std::size_t gap_length(std::string_view text, const NumberLook& look) {
 bool has_line_end(std::string_view gap) { return gap.find_first_of("\r\n") != std::string_view::npos; }
 
 std::size_t comment_length(std::string_view text) {
+  constexpr std::size_t kLongestBlock = 1024;
   if (!starts_comment(text)) return 0;
-  const std::size_t block_end = text.substr(0, 2) == "/*" ? text.find("*/", 2) : std::string_view::npos;
+  const bool is_block = text.substr(0, 2) == "/*";
+  const std::size_t block_end = is_block ? text.substr(0, kLongestBlock).find("*/", 2) : std::string_view::npos;
   return block_end != std::string_view::npos ? block_end + 2 : first_line(text).size();
 }
 

@@ -39,7 +39,7 @@ struct NumberLook {
 [[nodiscard]] bool has_line_end(std::string_view gap);
 
 /// Length of the comment at the start of `text`, 0 if there is none: "#", "//" or ";" to the end of the line, "/*" to
-/// the next "*/" or, without one, to the end of the line.
+/// the next "*/" or, without one in the next 1024 bytes, to the end of the line.
 [[nodiscard]] std::size_t comment_length(std::string_view text);
 
 [[nodiscard]] bool starts_comment(std::string_view text);

@@ -63,39 +63,71 @@ std::size_t find_name(std::string_view line) {
   return std::string_view::npos;
 }
 
-/// True if the blank at line[at] separates, and is not part of a name or a comment.
-bool separates(std::string_view line, std::size_t at) {
-  const std::size_t name = find_name(line);
-  if (name == std::string_view::npos) return !starts_comment(line.substr(behind_blanks(line, 0)));
-  if (at < name) return true;
-  const std::size_t behind = behind_blanks(line, at);
-  return behind == line.size() || line[behind] == '{' || line[behind] == '}';
-}
+/// A line of the text, and where blanks in it separate words.
+class Line {
+ public:
+  explicit Line(std::string_view text) : text_(text), name_(find_name(text)), is_comment_(starts_comment(text.substr(behind_blanks(text, 0)))) {}
 
-std::string_view line_around(std::string_view text, std::size_t at) {
+  [[nodiscard]] const char* end() const { return text_.data() + text_.size(); }
+  /// Behind the blanks that begin at `blank`, which lies in this line.
+  [[nodiscard]] const char* behind(const char* blank) const { return text_.data() + behind_blanks(text_, offset_of(blank)); }
+  /// True if these blanks are not part of a name or a comment.
+  [[nodiscard]] bool separates(const char* blank) const {
+    if (name_ == std::string_view::npos) return !is_comment_;
+    const char* next = behind(blank);
+    return offset_of(blank) < name_ || next == end() || *next == '{' || *next == '}';
+  }
+
+ private:
+  [[nodiscard]] std::size_t offset_of(const char* p) const { return static_cast<std::size_t>(p - text_.data()); }
+
+  std::string_view text_;
+  std::size_t name_;
+  bool is_comment_;
+};
+
+Line line_around(std::string_view text, std::size_t at) {
   const std::size_t before = at == 0 ? std::string_view::npos : text.find_last_of("\r\n", at - 1);
   const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
-  return text.substr(begin, text.find_first_of("\r\n", at) - begin);
+  const std::size_t end = std::min(text.size(), text.find_first_of("\r\n", at));
+  return Line(text.substr(begin, end - begin));
+}
+
+void report_wide_blank(std::string_view text, std::size_t at, Report& report) {
+  report.add(DiagnosticCode::WideBlank, at,
+             "Blanks that are not ASCII stand between the words; they were read as blanks, most other programs cannot read "
+             "them.",
+             "a blank", shown(text.substr(at, wide_blank_length(text, at))));
+}
+
+/// Exchanges what is not ASCII in [begin, end).
+void make_plain(std::string& text, std::size_t begin, std::size_t end) {
+  std::replace_if(text.begin() + static_cast<std::ptrdiff_t>(begin), text.begin() + static_cast<std::ptrdiff_t>(end),
+                  [](char c) { return !is_ascii(c); }, ' ');
 }
 
 }  // namespace
 
 std::string with_plain_blanks(std::string_view text, std::size_t begin, Report& report) {
   std::string result;
+  Line line{std::string_view()};
   for (std::size_t at = find_beyond_ascii(text, begin); at < text.size(); at = find_beyond_ascii(text, at)) {
     const std::size_t length = wide_blank_length(text, at);
-    const std::string_view line = length > 0 ? line_around(text, at) : std::string_view();
-    if (length > 0 && separates(line, static_cast<std::size_t>(text.data() + at - line.data()))) {
+    if (length == 0) {
+      ++at;
+      continue;
+    }
+    const char* blank = text.data() + at;
+    if (line.end() == nullptr || blank >= line.end()) line = line_around(text, at);
+    const auto end = static_cast<std::size_t>(line.behind(blank) - text.data());
+    if (line.separates(blank)) {
       if (result.empty()) {
         result = text;
-        report.add(DiagnosticCode::WideBlank, at,
-                   "Blanks that are not ASCII stand between the words; they were read as blanks, most other programs cannot "
-                   "read them.",
-                   "a blank", shown(text.substr(at, length)));
+        report_wide_blank(text, at, report);
       }
-      std::fill_n(result.begin() + static_cast<std::ptrdiff_t>(at), length, ' ');
+      make_plain(result, at, end);
     }
-    at += std::max<std::size_t>(length, 1);
+    at = end;
   }
   return result;
 }

@@ -143,6 +143,12 @@ TEST(Limits, NothingTakesSquareTime) {
   (void)read_bvh(one_joint_file("7", repeated("x ", n)));
   (void)read_bvh(one_joint_file("9999999", repeated("1 2 3\nx\n", n)));
   (void)read_bvh(one_joint_file("9999999", repeated("# no\n", n)));
+  (void)read_bvh(one_joint_file("9999999", repeated("1 2 3\nx y\n", n)));
+  (void)read_bvh(one_joint_file("9999999", repeated("/* no\n", n)));
+  (void)read_bvh(one_joint_file("1", repeated("1\u00a02 3 ", n)));
+  (void)read_bvh("HIERARCHY ROOT a" + repeated("\u00a0b", n));
+  (void)read_bvh("HIERARCHY ROOT a" + repeated("\u00a0", n));
+  (void)read_bvh(repeated("Motion of a walk\n", n) + std::string(kOneJoint));
   (void)read_bvh(std::string(kOneJoint) + repeated("x ", n));
   (void)read_bvh("HIERARCHY ROOT a { OFFSET " + repeated("1 ", n));
   (void)read_bvh("HIERARCHY ROOT a { CHANNELS 3 " + repeated("x ", n));
