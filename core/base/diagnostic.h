@@ -37,6 +37,15 @@ class Diagnostics {
   bool count_repeat(DiagnosticCode code, std::string_view merge_key = {});
   /// Orders the list by place; findings without a place come last.
   void sort_by_place();
+  /// Exchanges message, expected and found of every finding for what `rewrite` makes of them.
+  template <class Rewrite>
+  void rewrite_texts(Rewrite rewrite) {
+    for (Diagnostic& diagnostic : list_) {
+      diagnostic.message = rewrite(diagnostic.message);
+      diagnostic.expected = rewrite(diagnostic.expected);
+      diagnostic.found = rewrite(diagnostic.found);
+    }
+  }
 
   [[nodiscard]] const std::vector<Diagnostic>& list() const { return list_; }
   [[nodiscard]] bool empty() const { return list_.empty(); }

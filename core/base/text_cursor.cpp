@@ -17,7 +17,9 @@ std::string_view trimmed(std::string_view text) {
 
 std::string shown(std::string_view text) {
   constexpr std::size_t kLongest = 40;
-  std::string result(text.substr(0, kLongest));
+  std::size_t size = std::min(text.size(), kLongest);
+  while (size < text.size() && size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0U) == 0x80U) --size;
+  std::string result(text.substr(0, size));
   for (char& c : result) {
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';
   }
@@ -64,12 +66,6 @@ std::string_view TextCursor::take_word() {
   if (word.empty() && !at_end()) word = text_.substr(offset_, 1);
   offset_ += word.size();
   return word;
-}
-
-std::string_view TextCursor::take_name() {
-  const std::size_t begin = offset_;
-  while (!at_end() && !is_line_end(text_[offset_]) && text_[offset_] != '{' && text_[offset_] != '}') ++offset_;
-  return trimmed(text_.substr(begin, offset_ - begin));
 }
 
 }  // namespace marey

@@ -16,7 +16,7 @@ namespace marey {
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 /// `text` without the blanks at its ends.
 [[nodiscard]] std::string_view trimmed(std::string_view text);
-/// `text` for a message: at most 40 bytes of it, bytes that are not printable ASCII or UTF-8 shown as '?'.
+/// `text` for a message: at most 40 bytes of it, no UTF-8 letter cut in two, control characters shown as '?'.
 [[nodiscard]] std::string shown(std::string_view text);
 
 /// Turns byte offsets into lines and columns. CR, LF and CRLF each end a line. Offsets that grow from call to call cost
@@ -56,8 +56,6 @@ class TextCursor {
   [[nodiscard]] std::string_view peek_word() const;
   /// As peek_word(), and moves behind it. At a brace: that brace.
   std::string_view take_word();
-  /// The rest of the line up to a brace, trimmed; moves behind it.
-  std::string_view take_name();
 
  private:
   std::string_view text_;

@@ -45,13 +45,33 @@ std::map<int, std::string_view> find_lines(std::string_view text, std::span<cons
   return wanted;
 }
 
-/// Where a long line is cut off at its front, so that `byte` is in the part that is shown. Never within a UTF-8 letter.
+bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// A place not behind `cut` between two letters: of UTF-8 always, of other sets where a byte that is a letter by itself
+/// is not far.
+std::size_t letter_start(std::string_view line, std::size_t cut) {
+  constexpr std::size_t kFarthest = 20;
+  constexpr char kLeastSecondByte = 0x40;
+  if (cut == 0 || (is_ascii(line[cut]) && is_ascii(line[cut - 1]))) return cut;
+  for (std::size_t at = cut; at > 0 && cut - at < kFarthest; --at) {
+    if (is_ascii(line[at - 1]) && line[at - 1] < kLeastSecondByte) return at;
+  }
+  while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xc0U) == 0x80U) --cut;
+  return cut;
+}
+
+/// Where a long line is cut off at its front, so that `byte` is in the part that is shown.
 std::size_t cut_of(std::string_view line, std::size_t byte) {
   if (line.size() <= TextExcerpt::kMostBytes) return 0;
   const std::size_t half = TextExcerpt::kMostBytes / 2;
-  std::size_t cut = std::min(byte > half ? byte - half : 0, line.size() - TextExcerpt::kMostBytes);
-  while (cut > 0 && (static_cast<unsigned char>(line[cut]) & 0xc0U) == 0x80U) --cut;
-  return cut;
+  return letter_start(line, std::min(byte > half ? byte - half : 0, line.size() - TextExcerpt::kMostBytes));
+}
+
+/// What is shown of a line that is cut off at `cut`, or is shorter.
+std::string_view part_of(std::string_view line, std::size_t cut) {
+  const std::size_t begin = std::min(cut, line.size());
+  const std::size_t end = begin + TextExcerpt::kMostBytes;
+  return line.substr(begin, end < line.size() ? letter_start(line, end) - begin : std::string_view::npos);
 }
 
 TextExcerpt make_excerpt(const std::map<int, std::string_view>& lines, const TextPlace& place) {
@@ -63,7 +83,7 @@ TextExcerpt make_excerpt(const std::map<int, std::string_view>& lines, const Tex
     if (number > place.line + TextExcerpt::kLinesAround) break;
     if (excerpt.lines.empty()) excerpt.first_line = number;
     const std::string_view line = lines.at(number);
-    excerpt.lines.emplace_back(line.substr(std::min(cut, line.size()), TextExcerpt::kMostBytes));
+    excerpt.lines.emplace_back(part_of(line, cut));
   }
   excerpt.marked_line = place.line - excerpt.first_line;
   excerpt.marked_byte = static_cast<int>(std::min(byte - cut, excerpt.lines[idx(excerpt.marked_line)].size()));

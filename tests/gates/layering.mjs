@@ -1,5 +1,5 @@
 // Who may include whom. The one place where the arrows between rooms stand.
-const basics = ["core/base", "core/math", "core/skeleton", "core/motion"];
+const basics = ["core/base", "core/text", "core/math", "core/skeleton", "core/motion"];
 const mechanics = [...basics, "core/kinematics"];
 const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
   "core/retargeting", "core/constraints", "core/table", "core/lint",
@@ -7,9 +7,10 @@ const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/edi
 
 const arrows = {
   "core/base": [],
+  "core/text": ["core/base"],
   "core/math": ["core/base"],
-  "core/skeleton": ["core/base", "core/math"],
-  "core/motion": ["core/base", "core/math", "core/skeleton"],
+  "core/skeleton": ["core/base", "core/text", "core/math"],
+  "core/motion": ["core/base", "core/text", "core/math", "core/skeleton"],
   "core/bvh": basics,
   "core/structure": basics,
   "core/mesh": basics,
@@ -69,6 +70,7 @@ export const seeds = [
   { path: "core/bvh/seed.cpp", text: '#include "core/kinematics/pose.h"\n' },
   { path: "core/motion/seed.h", text: '#include "core/document/document.h"\n' },
   { path: "core/base/seed.h", text: '#include "wasm/app/app.h"\n' },
+  { path: "core/text/seed.h", text: '#include "core/skeleton/skeleton.h"\n' },
   { path: "core/math/seed.h", text: '#include "../base/result.h"\n' },
   { path: "wasm/views/seed.cpp", text: '#include "wasm/platform/web/host.h"\n' },
   { path: "wasm/render/seed.cpp", text: '#include "wasm/app/theme.h"\n' },

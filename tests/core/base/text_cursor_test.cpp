@@ -45,14 +45,6 @@ TEST(TextCursor, TakesWordsUpToBlanksAndBraces) {
   EXPECT_EQ(cursor.take_word(), "");
 }
 
-TEST(TextCursor, TakesNamesUpToTheLineEndOrBrace) {
-  TextCursor cursor(" Bip01 Neck \t\r\n{", 0);
-  EXPECT_EQ(cursor.take_name(), "Bip01 Neck");
-  TextCursor same_line(" head {", 0);
-  EXPECT_EQ(same_line.take_name(), "head");
-  EXPECT_EQ(same_line.peek(), '{');
-}
-
 TEST(Shown, CutsLongTextsAndHidesControlBytes) {
   EXPECT_EQ(shown("Hips"), "Hips");
   EXPECT_EQ(shown(std::string("a\0b\n", 4)), "a?b?");
