@@ -118,6 +118,7 @@ std::string clip_json(const BvhClip& clip) {
                      {"duration", clip.motion.duration_s()},
                      {"stature", compute_stature(clip.skeleton)},
                      {"metres_per_unit", guess_metres_per_unit(clip.skeleton)},
+                     {"names_in", traits_of(clip.names_in).id},
                      {"diagnostics", diagnostics_json(clip.diagnostics)}};
   return text_of(json);
 }

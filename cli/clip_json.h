@@ -17,7 +17,7 @@ namespace marey::cli {
 [[nodiscard]] std::string check_json(const std::string& file, const BvhClip& clip, const LintReport& lint,
                                      const std::vector<Violation>& violations);
 
-/// What `marey info --json` prints. Bytes of the file that are not UTF-8 come out as U+FFFD.
+/// What `marey info --json` prints.
 [[nodiscard]] std::string clip_json(const BvhClip& clip);
 
 }  // namespace marey::cli

@@ -10,6 +10,7 @@
 #include "cli/clip_json.h"
 #include "cli/report.h"
 #include "core/bvh/reader.h"
+#include "core/text/readable.h"
 
 namespace marey::cli {
 namespace {
@@ -49,12 +50,13 @@ std::optional<std::string> read_bytes(const std::string& file) {
 std::optional<BvhClip> read_clip(const Input& input) {
   const std::optional<std::string> bytes = read_bytes(input.file);
   if (!bytes) return std::nullopt;
-  Result<BvhClip> clip = read_bvh(*bytes, {.strict = input.strict, .limits = {}});
+  Result<BvhClip> clip = read_bvh(*bytes, {.strict = input.strict, .limits = {}, .names_in = input.names_in});
   if (!clip) {
     if (input.as_json) (void)write_bytes("-", refusal_json(clip.error()));
     report_error(input.file, clip.error());
     return std::nullopt;
   }
+  clip->diagnostics = readable(clip->diagnostics, clip->names_in);
   return std::move(*clip);
 }
 

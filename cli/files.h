@@ -13,7 +13,8 @@ namespace marey::cli {
 /// All bytes of a file, "-" for standard input. Failure is reported.
 [[nodiscard]] std::optional<std::string> read_bytes(const std::string& file);
 
-/// The clip in a BVH file. Failure is reported, a refusal also as JSON where that is asked for; findings are not.
+/// The clip in a BVH file. Failure is reported, a refusal also as JSON where that is asked for; findings are not. They are
+/// valid UTF-8.
 [[nodiscard]] std::optional<BvhClip> read_clip(const Input& input);
 
 /// The same for commands that go on with the clip: what could not be read, and is missing from it, is reported.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "cli/report.h"
 #include "core/base/counted.h"
 #include "core/document/document.h"
+#include "core/text/utf8.h"
 
 namespace marey::cli {
 namespace {
@@ -68,6 +70,9 @@ std::string info_text(const std::string& file, const BvhClip& clip) {
   line("Euler orders", euler_orders(skeleton));
   line("stature", fmt::format("{:.6g} units", stature));
   line("unit", fmt::format("{:.6g} m (guessed: a stature of {:.2f} m)", metres_per_unit, stature * metres_per_unit));
+  if (!std::all_of(skeleton.nodes().begin(), skeleton.nodes().end(), [](const Node& node) { return is_ascii(node.name); })) {
+    line("names", fmt::format("{} ({})", traits_of(clip.names_in).label, traits_of(clip.names_in).script));
+  }
   const Diagnostics& found = clip.diagnostics;
   line("findings", fmt::format("{}, {}, {}", counted(found.count(Severity::Error), "error"),
                                counted(found.count(Severity::Warning), "warning"),

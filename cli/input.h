@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "core/text/character_set.h"
 
 namespace marey::cli {
 
@@ -8,6 +11,7 @@ namespace marey::cli {
 struct Input {
   std::string file;  ///< "-" for standard input
   bool strict = false;
+  std::optional<CharacterSet> names_in{};  ///< without it, a guess
   bool as_json = false;  ///< a refusal is printed as JSON too
 };
 

@@ -48,7 +48,8 @@ Clip make_clip(const BvhClip& clip) {
           clip.motion,
           {.position_rule = clip.position_rule,
            .up_axis = find_up_axis(clip.skeleton, clip.motion, clip.position_rule),
-           .metres_per_unit = guess_metres_per_unit(clip.skeleton)}};
+           .metres_per_unit = guess_metres_per_unit(clip.skeleton),
+           .names_in = clip.names_in}};
 }
 
 void report_check(const std::string& file, const Diagnostics& diagnostics, const LintReport& lint) {

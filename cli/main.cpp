@@ -10,9 +10,24 @@
 
 namespace marey::cli {
 
+namespace {
+
+std::vector<std::string> character_set_ids() {
+  std::vector<std::string> ids;
+  for (const CharacterSet set : kCharacterSets) ids.emplace_back(traits_of(set).id);
+  return ids;
+}
+
+}  // namespace
+
 void add_input(CLI::App& command, Input& input, const std::string& name, const std::string& kind) {
   command.add_option(name, input.file, kind + ", - for standard input")->required();
   command.add_flag("--strict", input.strict, "Refuse what would otherwise be repaired");
+  command
+      .add_option_function<std::string>(
+          "--names-in", [&input](const std::string& id) { input.names_in = find_character_set(id); },
+          "Character set of the names; by default a guess")
+      ->check(CLI::IsMember(character_set_ids()));
 }
 
 namespace {

@@ -28,6 +28,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::JointWithoutBlock, "joint_without_block", Severity::Warning, true},
     {Code::MissingName, "missing_name", Severity::Warning, true},
     {Code::DuplicateName, "duplicate_name", Severity::Note, false},
+    {Code::NamesNotUtf8, "names_not_utf8", Severity::Note, false},
     {Code::KeywordCase, "keyword_case", Severity::Warning, true},
     {Code::ChannelCase, "channel_case", Severity::Warning, true},
     {Code::UnknownChannel, "unknown_channel", Severity::Warning, true},

@@ -32,6 +32,7 @@ enum class DiagnosticCode {
   JointWithoutBlock,
   MissingName,
   DuplicateName,
+  NamesNotUtf8,
   KeywordCase,
   ChannelCase,
   UnknownChannel,

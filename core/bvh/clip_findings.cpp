@@ -12,11 +12,27 @@
 
 #include "core/base/counted.h"
 #include "core/base/index.h"
+#include "core/base/text_cursor.h"
+#include "core/text/character_set_guess.h"
+#include "core/text/utf8.h"
 
 namespace marey {
 namespace {
 
-std::string label(const Skeleton& skeleton, NodeIndex node) { return shown(node_label(skeleton, node)); }
+// Findings quote the bytes of the file: what they stand for is known later, and people can change it.
+
+std::string_view bytes_of(const Skeleton& skeleton, JointIndex joint) {
+  return trimmed(skeleton.node(skeleton.node_of(joint)).name_bytes);
+}
+
+std::string quoted_name(const Skeleton& skeleton, JointIndex joint) { return shown(bytes_of(skeleton, joint)); }
+
+std::string label(const Skeleton& skeleton, NodeIndex node) {
+  const JointIndex joint = skeleton.node(node).joint;
+  const std::string end = skeleton.node(node).is_end_site ? node_label(skeleton, node).substr(skeleton.name(joint).size())
+                                                          : std::string();
+  return shown(std::string(bytes_of(skeleton, joint)) + end);
+}
 
 struct NodeCensus {
   std::vector<int> children;   ///< per joint
@@ -40,7 +56,7 @@ void note_ends(const Hierarchy& hierarchy, Report& report) {
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     const std::size_t place = hierarchy.node_places[idx(skeleton.node_of(joint))];
     const int ends = census.end_sites[idx(joint)];
-    const std::string name = shown(skeleton.name(joint));
+    const std::string name = quoted_name(skeleton, joint);
     if (census.children[idx(joint)] == 0 && ends == 0) {
       report.add(DiagnosticCode::LeafWithoutEndSite, place,
                  fmt::format("'{}' ends a limb but has no End Site; its last bone has no direction.", name), "End Site", "");
@@ -62,7 +78,7 @@ void note_names(const Hierarchy& hierarchy, Report& report) {
   const Skeleton& skeleton = hierarchy.skeleton;
   std::unordered_set<std::string_view> seen;
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    const std::string& name = skeleton.name(joint);
+    const std::string_view name = bytes_of(skeleton, joint);
     if (name.empty() || seen.insert(name).second) continue;
     report.add_each(DiagnosticCode::DuplicateName, hierarchy.node_places[idx(skeleton.node_of(joint))],
                     fmt::format("Another joint is called '{}' too; programs that find joints by name mix them up.",
@@ -79,7 +95,7 @@ void note_repeated_channels(const Hierarchy& hierarchy, Report& report) {
       if (channel.kind == ChannelKind::Other || ++count[static_cast<std::size_t>(channel.kind)] != 2) continue;
       report.add(DiagnosticCode::RepeatedChannel, hierarchy.node_places[idx(skeleton.node_of(joint))],
                  fmt::format("'{}' has {} twice; both are kept and applied one after the other.",
-                             shown(skeleton.name(joint)), channel_keyword(channel.kind)),
+                             quoted_name(skeleton, joint), channel_keyword(channel.kind)),
                  "", channel_keyword(channel.kind).data());
     }
   }
@@ -93,7 +109,7 @@ void note_scale_channels(const Hierarchy& hierarchy, Report& report) {
     if (scale == channels.end()) continue;
     report.add(DiagnosticCode::ScaleChannel, hierarchy.node_places[idx(skeleton.node_of(joint))],
                fmt::format("'{}' has scale channels; they are kept and saved, but not applied to the figure.",
-                           shown(skeleton.name(joint))),
+                           quoted_name(skeleton, joint)),
                "positions and rotations", std::string(channel_keyword(scale->kind)));
   }
 }
@@ -170,7 +186,7 @@ void note_root_offset(const Hierarchy& hierarchy, Report& report) {
     report.add_each(DiagnosticCode::PositionsReplaceOffset, hierarchy.node_places[idx(skeleton.node_of(joint))],
                     fmt::format("The root '{}' has an OFFSET and position channels; the channels replace it. Programs "
                                 "that add both show the figure moved.",
-                                shown(skeleton.name(joint))));
+                                quoted_name(skeleton, joint)));
   }
 }
 
@@ -193,6 +209,21 @@ void note_tree_habits(const Hierarchy& hierarchy, Report& report) {
   note_names(hierarchy, report);
   note_repeated_channels(hierarchy, report);
   note_scale_channels(hierarchy, report);
+}
+
+CharacterSet find_character_set_of_names(const Hierarchy& hierarchy, Report& report) {
+  const std::vector<std::string_view> names = name_bytes_of(hierarchy.skeleton);
+  const CharacterSet set = guess_character_set(names);
+  const auto first = std::find_if_not(names.begin(), names.end(), is_utf8);
+  if (first == names.end()) return set;
+  const CharacterSetTraits& traits = traits_of(set);
+  const auto count = std::count_if(first, names.end(), [](std::string_view name) { return !is_utf8(name); });
+  report.add(DiagnosticCode::NamesNotUtf8, hierarchy.node_places[static_cast<std::size_t>(first - names.begin())],
+             fmt::format("{} not UTF-8; on opening, all names were read as {} ({}). They are saved as they stand in the "
+                         "file.",
+                         count == 1 ? "1 name is" : fmt::format("{} names are", count), traits.label, traits.script),
+             "UTF-8", std::string(traits.label));
+  return set;
 }
 
 void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& report) {

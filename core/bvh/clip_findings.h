@@ -10,6 +10,9 @@ namespace marey {
 /// Notes what is legal but unusual in a tree: leaves without End Site, bones without length, double names ...
 void note_tree_habits(const Hierarchy& hierarchy, Report& report);
 
+/// What the names are read in: a guess from all of them, reported unless they are UTF-8.
+[[nodiscard]] CharacterSet find_character_set_of_names(const Hierarchy& hierarchy, Report& report);
+
 /// Decides for each OFFSET with several readings: the first reading whose bone lies in the plane of the motion, if all
 /// rotation is about one axis; else the first of all. Reports each decision.
 void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& report);

@@ -7,12 +7,14 @@
 #include "core/base/bits.h"
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
+#include "core/bvh/joint_name.h"
 
 namespace marey {
 namespace {
 
 bool same_but_for_offset(const Node& a, const Node& b) {
-  return a.joint == b.joint && a.parent == b.parent && a.is_end_site == b.is_end_site && a.name == b.name;
+  return a.joint == b.joint && a.parent == b.parent && a.is_end_site == b.is_end_site &&
+         a.name_bytes == b.name_bytes;
 }
 
 bool same_but_for_offsets(const Skeleton& a, const Skeleton& b) {
@@ -102,18 +104,9 @@ class HeaderPrinter {
   std::vector<JointIndex> open_;
 };
 
-/// A name that can be read back: without braces and line ends, which would end it.
-std::string printable_name(std::string_view name) {
-  std::string result(trimmed(name));
-  for (char& c : result) {
-    if (c == '{' || c == '}' || is_line_end(c) || c == '\0') c = '_';
-  }
-  return result;
-}
-
 std::string printable_channel(const Channel& channel) {
   if (channel.kind != ChannelKind::Other) return std::string(channel_keyword(channel.kind));
-  std::string result = printable_name(channel.other_name);
+  std::string result = printable_joint_name(channel.other_name);
   std::replace_if(result.begin(), result.end(), is_blank, '_');
   return result.empty() ? "Unknown" : result;
 }
@@ -121,7 +114,7 @@ std::string printable_channel(const Channel& channel) {
 void HeaderPrinter::open(std::string_view keyword, std::string_view name, JointIndex joint) {
   begin_line();
   out_ += keyword;
-  const std::string printable = printable_name(name);
+  const std::string printable = printable_joint_name(name);
   if (!printable.empty()) out_.append(" ").append(printable);
   end_line();
   print_line("{");
@@ -154,12 +147,12 @@ void HeaderPrinter::print_node(const Node& node) {
   const JointIndex parent = node.is_end_site ? node.joint : skeleton_.parent(node.joint);
   while (!open_.empty() && open_.back() != parent) close();
   if (node.is_end_site) {
-    open("End Site", node.name, kNoParent);
+    open("End Site", node.name_bytes, kNoParent);
     print_offset(node.offset);
     close();
     return;
   }
-  open(parent == kNoParent ? "ROOT" : "JOINT", node.name, node.joint);
+  open(parent == kNoParent ? "ROOT" : "JOINT", node.name_bytes, node.joint);
   print_offset(node.offset);
   print_channels(node.joint);
 }

@@ -79,7 +79,7 @@ void HierarchyBuilder::open(const BraceEvent& event) {
     report_.add_each(DiagnosticCode::EndSiteWithChannels, block.place,
                      "The end site has channels, so it was read as a joint.", "JOINT", "End Site");
     block.kind = RawBlock::Kind::Joint;
-    if (block.name.empty()) block.name = "End Site";
+    if (block.name.empty()) block.name = block.name_bytes = "End Site";
   }
   const bool is_joint = block.kind != RawBlock::Kind::EndSite;
   if (is_joint) {
@@ -106,7 +106,7 @@ void HierarchyBuilder::open_joint(RawBlock& block) {
                      fmt::format("JOINT '{}' stands outside of any ROOT; it was read as a root.", shown(block.name)),
                      "ROOT", "JOINT");
   }
-  builder_.open_joint(std::string(block.name), offset_of(block));
+  builder_.open_joint(std::string(block.name_bytes), offset_of(block));
   note_node(block);
   for (const RawChannel& channel : block.channels) {
     const bool other = channel.kind == ChannelKind::Other;
@@ -127,7 +127,7 @@ void HierarchyBuilder::add_end_site(const RawBlock& block) {
     return;
   }
   const glm::dvec3 offset = offset_of(block);
-  builder_.add_end_site(offset, std::string(block.name));
+  builder_.add_end_site(offset, std::string(block.name_bytes));
   note_node(block);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "core/base/index.h"
+#include "core/bvh/joint_name.h"
 #include "core/bvh/keyword.h"
 #include "core/bvh/keyword_reader.h"
 #include "core/bvh/row_text.h"
@@ -23,7 +24,7 @@ class HierarchyParser {
   void skip_unknown_word();
   void check_start(std::size_t begin);
 
-  void open_block(RawBlock::Kind kind, std::size_t place, std::string_view name);
+  void open_block(RawBlock::Kind kind, std::size_t place, std::string_view name_bytes);
   void read_joint(RawBlock::Kind kind, std::size_t place);
   void read_end_site(std::size_t place);
   void open_brace();
@@ -144,7 +145,7 @@ RawBlock* HierarchyParser::current_block() {
   return nullptr;
 }
 
-void HierarchyParser::open_block(RawBlock::Kind kind, std::size_t place, std::string_view name) {
+void HierarchyParser::open_block(RawBlock::Kind kind, std::size_t place, std::string_view name_bytes) {
   if (RawBlock* parent = current_block(); parent != nullptr && kind != RawBlock::Kind::Root) parent->has_child = true;
   int& count = kind == RawBlock::Kind::EndSite ? end_sites_ : joints_;
   if (++count > limits_.max_joints) {
@@ -155,7 +156,8 @@ void HierarchyParser::open_block(RawBlock::Kind kind, std::size_t place, std::st
   }
   RawBlock block;
   block.kind = kind;
-  block.name = name;
+  block.name = trimmed(name_bytes);
+  block.name_bytes = name_bytes;
   block.place = place;
   block.keyword_end = keyword_end_;
   result_.blocks.push_back(std::move(block));
@@ -164,10 +166,10 @@ void HierarchyParser::open_block(RawBlock::Kind kind, std::size_t place, std::st
 
 void HierarchyParser::read_joint(RawBlock::Kind kind, std::size_t place) {
   keyword_end_ = cursor_.offset();
-  std::string_view name = cursor_.take_name();
+  std::string_view name = take_joint_name(cursor_);
   if (name.empty()) {
     cursor_.skip_blanks();
-    if (find_keyword(cursor_.peek_word()) == Keyword::None) name = cursor_.take_name();
+    if (find_keyword(cursor_.peek_word()) == Keyword::None) name = take_joint_name(cursor_);
   }
   if (name.empty()) {
     report_.add_each(DiagnosticCode::MissingName, place, "The joint has no name; it is told apart by its place only.",
@@ -180,11 +182,11 @@ void HierarchyParser::read_end_site(std::size_t place) {
   take_site(cursor_, place, result_.patches, report_);
   keyword_end_ = cursor_.offset();
   cursor_.skip_blanks_in_line();
-  const std::string_view name = starts_comment(cursor_.rest()) ? std::string_view() : cursor_.take_name();
+  const std::string_view name = starts_comment(cursor_.rest()) ? std::string_view() : take_joint_name(cursor_);
   if (!name.empty()) {
     report_.add(DiagnosticCode::NamedEndSite, place,
-                fmt::format("The end site has a name ('{}'), which was kept; some other programs refuse it.", shown(name)),
-                "End Site", shown(name));
+                fmt::format("The end site has a name ('{}'), which was kept; some other programs refuse it.", shown(trimmed(name))),
+                "End Site", shown(trimmed(name)));
   }
   open_block(RawBlock::Kind::EndSite, place, name);
 }

@@ -22,7 +22,8 @@ struct RawBlock {
   bool has_offset = false;
   bool has_channels = false;
   bool has_child = false;  ///< a joint or an end site
-  std::string_view name;
+  std::string_view name;        ///< without blanks at its ends
+  std::string_view name_bytes;  ///< with those at its end
   std::size_t place = 0;
   std::size_t keyword_end = 0;  ///< behind ROOT, JOINT or End Site
   std::size_t offset_place = 0;

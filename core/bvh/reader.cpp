@@ -15,6 +15,7 @@
 #include "core/bvh/motion_rows.h"
 #include "core/bvh/text_encoding.h"
 #include "core/bvh/wide_blanks.h"
+#include "core/text/readable.h"
 
 namespace marey {
 namespace {
@@ -102,7 +103,9 @@ BvhClip BvhReader::read() {
   keep_header();
   note_tree_habits(hierarchy_, report_);
   clip_.position_rule = find_position_rule(hierarchy_, clip_.motion, report_);
+  clip_.names_in = options_.names_in ? *options_.names_in : find_character_set_of_names(hierarchy_, report_);
   clip_.skeleton = std::move(hierarchy_.skeleton);
+  clip_.skeleton.read_names_in(clip_.names_in);
   return std::move(clip_);
 }
 
@@ -191,14 +194,14 @@ Result<BvhClip> read_bvh(std::string_view text, const ReadOptions& options) {
     return encoding_report.error();
   }
   decode_text(text, decoded, encoding_report);
-  if (encoding_report.failed()) return encoding_report.error();
+  if (encoding_report.failed()) return readable(encoding_report.error());
   Report report(decoded.text, options.strict);
   report.take_over(encoding_report.take_diagnostics());
   const std::string plain = with_plain_blanks(decoded.text, decoded.begin, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   if (!plain.empty()) decoded.text = plain;
   BvhClip clip = BvhReader(decoded, text, plain.size(), options, report).read();
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   clip.style.encoding = decoded.encoding;
   clip.diagnostics = report.take_diagnostics();
   return clip;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/base/result.h"
 #include "core/bvh/bvh_clip.h"
 #include "core/bvh/limits.h"
+#include "core/text/character_set.h"
 
 namespace marey {
 
@@ -13,6 +15,8 @@ struct ReadOptions {
   /// the reason that the repair's diagnostic would have carried.
   bool strict = false;
   ReadLimits limits;
+  /// What the bytes of the names stand for; without it, a guess.
+  std::optional<CharacterSet> names_in = std::nullopt;
 };
 
 /// Reads a BVH file in one pass over its bytes. Tokens count, not lines; nesting costs no stack; no count is trusted.

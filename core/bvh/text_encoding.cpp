@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/text/utf8.h"
 
 namespace marey {
 namespace {
@@ -13,30 +14,10 @@ namespace {
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 constexpr std::string_view kUtf16LittleEndianMark = "\xff\xfe";
 constexpr std::string_view kUtf16BigEndianMark = "\xfe\xff";
-constexpr char32_t kReplacement = 0xfffd;
 
 bool begins_with(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 unsigned byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
-
-void append_utf8(char32_t code_point, std::string& out) {
-  const auto add = [&out](char32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (code_point < 0x80) {
-    add(code_point);
-  } else if (code_point < 0x800) {
-    add(0xc0 | code_point >> 6);
-    add(0x80 | (code_point & 0x3f));
-  } else if (code_point < 0x10000) {
-    add(0xe0 | code_point >> 12);
-    add(0x80 | (code_point >> 6 & 0x3f));
-    add(0x80 | (code_point & 0x3f));
-  } else {
-    add(0xf0 | code_point >> 18);
-    add(0x80 | (code_point >> 12 & 0x3f));
-    add(0x80 | (code_point >> 6 & 0x3f));
-    add(0x80 | (code_point & 0x3f));
-  }
-}
 
 struct Conversion {
   std::string utf8;
@@ -87,21 +68,6 @@ void take_utf16(std::string_view bytes, bool little_endian, DecodedText& decoded
   }
 }
 
-/// The code point at `at`, which moves on; bytes that are not UTF-8 count as Latin-1.
-char32_t take_code_point(std::string_view utf8, std::size_t& at) {
-  const unsigned first = byte_at(utf8, at++);
-  const int more = first >= 0xf0 ? 3 : first >= 0xe0 ? 2 : first >= 0xc2 ? 1 : 0;
-  if (more == 0) return first;
-  char32_t code_point = first & (0x3fU >> more);
-  for (int i = 0; i < more; ++i) {
-    const std::size_t place = at + static_cast<std::size_t>(i);
-    if (place >= utf8.size() || (byte_at(utf8, place) & 0xc0U) != 0x80U) return first;
-    code_point = code_point << 6 | (byte_at(utf8, place) & 0x3fU);
-  }
-  at += static_cast<std::size_t>(more);
-  return code_point;
-}
-
 void drop_trailing_nuls(DecodedText& decoded, Report& report) {
   const std::size_t last = decoded.text.find_last_not_of('\0');
   const std::size_t size = last == std::string_view::npos ? 0 : last + 1;
@@ -146,6 +112,13 @@ void decode_text(std::string_view bytes, DecodedText& decoded, Report& report) {
   }
 }
 
+std::string_view text_in_utf8(std::string_view bytes, std::string& converted) {
+  const bool little_endian = begins_with(bytes, kUtf16LittleEndianMark);
+  if (!little_endian && !begins_with(bytes, kUtf16BigEndianMark)) return bytes;
+  converted = utf8_from_utf16(bytes.substr(2), little_endian).utf8;
+  return converted;
+}
+
 std::string encoded_as_utf16(std::string_view utf8, TextEncoding encoding) {
   const bool little_endian = encoding == TextEncoding::Utf16LittleEndian;
   std::string out(little_endian ? kUtf16LittleEndianMark : kUtf16BigEndianMark);
@@ -156,7 +129,8 @@ std::string encoded_as_utf16(std::string_view utf8, TextEncoding encoding) {
     out += little_endian ? high : low;
   };
   for (std::size_t at = begins_with(utf8, kUtf8Mark) ? kUtf8Mark.size() : 0; at < utf8.size();) {
-    const char32_t code_point = take_code_point(utf8, at);
+    const unsigned byte = byte_at(utf8, at);
+    const char32_t code_point = take_utf8(utf8, at).value_or(byte);  // bytes that are not UTF-8 count as Latin-1
     if (code_point < 0x10000) {
       add_unit(code_point);
     } else {

@@ -25,6 +25,10 @@ struct DecodedText {
 /// to the bytes of the file.
 void decode_text(std::string_view bytes, DecodedText& decoded, Report& report);
 
+/// The text that the places of findings count in: the bytes of the file or, where they are UTF-16, `converted`, which
+/// gets their UTF-8.
+[[nodiscard]] std::string_view text_in_utf8(std::string_view bytes, std::string& converted);
+
 /// UTF-8 (byte order mark optional) as UTF-16 with a byte order mark.
 [[nodiscard]] std::string encoded_as_utf16(std::string_view utf8, TextEncoding encoding);
 

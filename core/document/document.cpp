@@ -10,6 +10,7 @@
 #include "core/base/bits.h"
 #include "core/bvh/writer.h"
 #include "core/kinematics/clip_bounds.h"
+#include "core/text/readable.h"
 
 namespace marey {
 namespace {
@@ -24,6 +25,7 @@ ClipSettings guess_settings(const BvhClip& clip) {
   settings.position_rule = clip.position_rule;
   settings.up_axis = find_up_axis(clip.skeleton, clip.motion, clip.position_rule);
   settings.metres_per_unit = guess_metres_per_unit(clip.skeleton);
+  settings.names_in = clip.names_in;
   return settings;
 }
 
@@ -56,6 +58,14 @@ Document::Document(BvhClip clip, std::string file_name) : file_name_(std::move(f
   style_ = std::move(clip.style);
   diagnostics_ = std::move(clip.diagnostics);
   declared_frames_ = clip.declared_frames;
+}
+
+const Diagnostics& Document::diagnostics() const {
+  if (readable_in_ != clip_.settings.names_in) {
+    readable_in_ = clip_.settings.names_in;
+    readable_diagnostics_ = readable(diagnostics_, *readable_in_);
+  }
+  return readable_diagnostics_;
 }
 
 Status Document::apply(Edit edit) {

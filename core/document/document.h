@@ -27,7 +27,8 @@ class Document {
   [[nodiscard]] const Skeleton& skeleton() const { return clip_.skeleton; }
   [[nodiscard]] const Motion& motion() const { return clip_.motion; }
   [[nodiscard]] const ClipSettings& settings() const { return clip_.settings; }
-  [[nodiscard]] const Diagnostics& diagnostics() const { return diagnostics_; }
+  /// What was noticed on opening, as valid UTF-8; names in it are read as settings().names_in says.
+  [[nodiscard]] const Diagnostics& diagnostics() const;
   [[nodiscard]] const BvhStyle& style() const { return style_; }
   /// As in BvhClip: less than the frames of the opened file, or 0.
   [[nodiscard]] int declared_frames() const { return declared_frames_; }
@@ -69,7 +70,9 @@ class Document {
 
   Clip clip_;
   BvhStyle style_;
-  Diagnostics diagnostics_;
+  Diagnostics diagnostics_;  // as the reader wrote them
+  mutable Diagnostics readable_diagnostics_;
+  mutable std::optional<CharacterSet> readable_in_;
   std::string file_name_;
   int declared_frames_ = 0;
   History history_;

@@ -16,7 +16,7 @@ struct Session {
   Document document;
   Selection selection;
   Playback playback;
-  std::vector<TextExcerpt> excerpts;  ///< of each of the document's diagnostics; none where the text was not kept
+  std::vector<TextExcerpt> excerpts;  ///< of each of the document's diagnostics, in the bytes of the file
 
   /// Nothing selected, paused on the first frame.
   [[nodiscard]] static Session open(BvhClip clip, std::string file_name);

@@ -9,10 +9,12 @@ std::string settings_edit_name(const ClipSettings& before, const ClipSettings& a
   const bool rule = before.position_rule != after.position_rule;
   const bool axis = before.up_axis != after.up_axis;
   const bool unit = before.metres_per_unit != after.metres_per_unit;
-  if (rule && !axis && !unit) return "Change meaning of positions";
-  if (axis && !rule && !unit) return "Change up axis";
-  if (unit && !rule && !axis) return "Change unit of length";
-  return "Change clip settings";
+  const bool names = before.names_in != after.names_in;
+  if ((rule ? 1 : 0) + (axis ? 1 : 0) + (unit ? 1 : 0) + (names ? 1 : 0) != 1) return "Change clip settings";
+  if (rule) return "Change meaning of positions";
+  if (axis) return "Change up axis";
+  if (unit) return "Change unit of length";
+  return "Read names as " + std::string(traits_of(after.names_in).label);
 }
 
 }  // namespace

@@ -7,7 +7,8 @@ namespace marey {
 /// Moves a joint or end site in the rest pose. Refused on applying if the offset is not finite.
 [[nodiscard]] Edit make_offset_edit(const Clip& clip, NodeIndex node, const glm::dvec3& offset_file_units);
 
-/// Changes the reading of the file: up axis, unit of length, meaning of the position channels.
+/// Changes the reading of the file: up axis, unit of length, meaning of the position channels,
+/// character set of the names.
 [[nodiscard]] Edit make_settings_edit(const Clip& clip, const ClipSettings& settings);
 
 /// Changes the time of a frame, so the speed of the clip; the samples stay. > 0.

@@ -168,7 +168,10 @@ void swap_edit(Clip& clip, Edit& edit) {
     change.offset = present;
   }
   if (edit.frames) swap_frames(clip, *edit.frames);
-  if (edit.settings) std::swap(clip.settings, *edit.settings);
+  if (edit.settings) {
+    std::swap(clip.settings, *edit.settings);
+    clip.skeleton.read_names_in(clip.settings.names_in);
+  }
   if (edit.frame_time_s) {
     const double present = clip.motion.frame_time_s();
     clip.motion.set_frame_time_s(*edit.frame_time_s);

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 
+#include "core/base/text_cursor.h"
+#include "core/text/utf8.h"
+
 namespace marey {
 namespace {
 
@@ -16,6 +19,25 @@ int end_site_ordinal(const Skeleton& skeleton, NodeIndex node) {
 }
 
 }  // namespace
+
+void Skeleton::read_names_in(CharacterSet set) {
+  for (Node& node : nodes_) node.name = decoded(trimmed(node.name_bytes), set);
+}
+
+std::vector<std::string_view> name_bytes_of(const Skeleton& skeleton) {
+  std::vector<std::string_view> names;
+  for (const Node& node : skeleton.nodes()) names.emplace_back(node.name_bytes);
+  return names;
+}
+
+std::vector<std::string> telling_names(const Skeleton& skeleton, CharacterSet set, int most) {
+  std::vector<std::string> names;
+  for (const Node& node : skeleton.nodes()) {
+    if (size_of(names) == most) break;
+    if (!is_ascii(node.name_bytes)) names.push_back(decoded(trimmed(node.name_bytes), set));
+  }
+  return names;
+}
 
 std::string node_label(const Skeleton& skeleton, NodeIndex node) {
   const Node& n = skeleton.node(node);

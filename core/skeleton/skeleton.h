@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/skeleton/channel.h"
+#include "core/text/character_set.h"
 
 namespace marey {
 
@@ -25,14 +26,16 @@ struct Node {
   NodeIndex parent = kNoParent;  ///< node of the parent joint; for an end site the node of `joint`
   bool is_end_site = false;
   glm::dvec3 offset{0.0};  ///< OFFSET in file units, from `parent`
-  std::string name;        ///< joint name; for an end site the name behind "End Site", mostly empty
+  std::string name;        ///< joint name, valid UTF-8; for an end site the name behind "End Site", mostly empty
+  std::string name_bytes;  ///< the same as it stands in the file, with blanks at its end
   friend bool operator==(const Node&, const Node&) = default;
 };
 
 /// The tree of a figure in its rest pose: flat arrays in file order, which is depth first, so a parent stands before
 /// its children and a subtree is contiguous. Made and checked only by SkeletonBuilder; immutable but for the named
 /// setters, which cannot break the order.
-/// Names are bytes as in the file and may repeat: a joint is identified by its index.
+/// Names are kept as the bytes of the file; people and programs see them as UTF-8, decoded here and nowhere else. They
+/// may repeat: a joint is identified by its index.
 class Skeleton {
  public:
   [[nodiscard]] int joint_count() const { return size_of(joint_nodes_); }
@@ -69,6 +72,9 @@ class Skeleton {
   /// Moves a joint or end site in the rest pose. Finite values only.
   void set_offset(NodeIndex node, const glm::dvec3& offset_file_units) { nodes_[idx(node)].offset = offset_file_units; }
 
+  /// Reads the bytes of all names in another character set.
+  void read_names_in(CharacterSet set);
+
   friend bool operator==(const Skeleton&, const Skeleton&) = default;
 
  private:
@@ -82,6 +88,12 @@ class Skeleton {
   std::vector<JointIndex> subtree_ends_;
   std::vector<int> depths_;
 };
+
+/// The bytes of all names, in the order of the nodes; valid as long as the skeleton.
+[[nodiscard]] std::vector<std::string_view> name_bytes_of(const Skeleton& skeleton);
+
+/// At most `most` names that are not plain ASCII, as they read in `set`: what a person needs to choose one.
+[[nodiscard]] std::vector<std::string> telling_names(const Skeleton& skeleton, CharacterSet set, int most);
 
 /// Readable name of a node: the joint's name; for an end site "<joint>_end" (then "_end2" ... for further ones).
 [[nodiscard]] std::string node_label(const Skeleton& skeleton, NodeIndex node);

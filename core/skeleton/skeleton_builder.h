@@ -20,12 +20,13 @@ namespace marey {
 ///     Result<Skeleton> skeleton = builder.build();
 class SkeletonBuilder {
  public:
-  /// Opens a joint below the innermost open joint, or a root when none is open.
-  JointIndex open_joint(std::string name, const glm::dvec3& offset_file_units = glm::dvec3(0.0));
+  /// Opens a joint below the innermost open joint, or a root when none is open. Names are bytes of a file, read as UTF-8
+  /// until Skeleton::read_names_in() says otherwise.
+  JointIndex open_joint(std::string name_bytes, const glm::dvec3& offset_file_units = glm::dvec3(0.0));
   /// Appends a channel to the innermost open joint. All channels of a joint come before its children.
   void add_channel(ChannelKind kind, std::string other_name = {});
   /// Adds an end site to the innermost open joint.
-  NodeIndex add_end_site(const glm::dvec3& offset_file_units, std::string name = {});
+  NodeIndex add_end_site(const glm::dvec3& offset_file_units, std::string name_bytes = {});
   /// Closes the innermost open joint.
   void close_joint();
 

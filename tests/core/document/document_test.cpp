@@ -46,6 +46,33 @@ class DocumentTest : public testing::Test {
   Document document{make_bvh_clip(make_clip_with_curve({1, 2, 3})), "walk.bvh"};
 };
 
+// The same bytes are a German name and a Russian one; the finding that quotes them follows the choice.
+TEST_F(DocumentTest, ReadsNamesInAnotherSetAndBack) {
+  const std::string text =
+      "HIERARCHY\nROOT H\xFC" "fte\n{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\nJOINT H\xFC" "fte\n{\nOFFSET 0 1 0\n"
+      "CHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n}\nMOTION\nFrames: 1\nFrame Time: 0.1\n1 2\n";
+  Result<BvhClip> read = read_bvh(text);
+  ASSERT_TRUE(read);
+  Document opened(std::move(*read), "names.bvh");
+  const auto quoted = [&] { return opened.diagnostics().find(DiagnosticCode::DuplicateName)->found; };
+  EXPECT_EQ(opened.settings().names_in, CharacterSet::Windows1252);
+  EXPECT_EQ(opened.skeleton().name(0), "Hüfte");
+  EXPECT_EQ(quoted(), "Hüfte");
+  ClipSettings settings = opened.settings();
+  settings.names_in = CharacterSet::Windows1251;
+  ASSERT_TRUE(opened.apply(make_settings_edit(opened.clip(), settings)));
+  EXPECT_EQ(opened.history().undo_name(), "Read names as Windows-1251");
+  EXPECT_EQ(opened.skeleton().name(0), "Hьfte");
+  EXPECT_EQ(quoted(), "Hьfte");
+  EXPECT_EQ(opened.save_text(), text);
+  EXPECT_TRUE(opened.find_changes().empty());
+  ASSERT_TRUE(opened.undo());
+  EXPECT_EQ(opened.skeleton().name(0), "Hüfte");
+  EXPECT_EQ(quoted(), "Hüfte");
+  ASSERT_TRUE(opened.redo());
+  EXPECT_EQ(opened.skeleton().name(1), "Hьfte");
+}
+
 TEST_F(DocumentTest, OpensWhatWasRead) {
   BvhClip read = make_bvh_clip(make_clip(2, 3));
   read.position_rule = PositionRule::Add;

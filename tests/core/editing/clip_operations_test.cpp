@@ -31,6 +31,9 @@ TEST(ClipOperations, ChangeTheReadingOfTheFile) {
   EXPECT_EQ(make_settings_edit(clip, settings).name, "Change meaning of positions");
   settings.up_axis = Axis::Z;
   EXPECT_EQ(make_settings_edit(clip, settings).name, "Change clip settings");
+  settings = clip.settings;
+  settings.names_in = CharacterSet::Gbk;
+  EXPECT_EQ(make_settings_edit(clip, settings).name, "Read names as GBK");
 }
 
 TEST(ClipOperations, ChangeTheFrameTimeAndKeepTheSamples) {
