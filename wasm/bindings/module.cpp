@@ -3,22 +3,25 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/readable.h"
 #include "wasm/bindings/module_clip.h"
-
 
 /// The functions that web/module/marey.ts calls. Text comes in as address and size in bytes, in memory from malloc that
 /// the caller releases; what goes out stays at the returned address until the next call with the same clip.
 /// Indices are in range: the caller checks them.
 extern "C" {
 
-/// Never null; marey_clip_is_open tells whether the text could be read.
-EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse(const char* text, size_t size, int strict) {
+/// Never null; marey_clip_is_open tells whether the text could be read. `names_in`: index in marey::kCharacterSets, -1
+/// for a guess.
+EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse(const char* text, size_t size, int strict, int names_in) {
   auto* clip = new ModuleClip;
   marey::ReadOptions options;
   options.strict = strict != 0;
+  if (names_in >= 0) options.names_in = marey::kCharacterSets[marey::idx(names_in)];
   marey::Result<marey::BvhClip> read = marey::read_bvh(std::string_view(text, size), options);
   if (read) {
     clip->bvh = std::move(read.value());
+    clip->bvh.diagnostics = marey::readable(clip->bvh.diagnostics, clip->bvh.names_in);
     clip->is_open = true;
     clip->text = describe_clip(clip->bvh);
   } else {

@@ -16,8 +16,7 @@ struct ModuleClip {
   std::vector<float> world_positions;
 };
 
-/// {"joints": [...], "nodeCount", "channelCount", "frameCount", "frameTime", "diagnostics": [...]} as JSON text. Bytes of
-/// the file that are not UTF-8 come out as U+FFFD.
+/// {"joints": [...], "nodeCount", "channelCount", "frameCount", "frameTime", "namesIn", "diagnostics": [...]} as JSON text.
 [[nodiscard]] std::string describe_clip(const marey::BvhClip& bvh);
 
 /// {"code", "message", "line", "column"} as JSON text.

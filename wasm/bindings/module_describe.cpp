@@ -56,6 +56,7 @@ std::string describe_clip(const marey::BvhClip& bvh) {
                   {"channelCount", bvh.skeleton.channel_count()},
                   {"frameCount", bvh.motion.frame_count()},
                   {"frameTime", bvh.motion.frame_time_s()},
+                  {"namesIn", marey::traits_of(bvh.names_in).id},
                   {"diagnostics", diagnostics_json(bvh.diagnostics)}});
 }
 

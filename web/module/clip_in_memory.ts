@@ -1,5 +1,5 @@
 import type { CoreProgram } from "./core_program.js";
-import type { Clip, Diagnostic, Joint, PositionMeaning, WriteOptions } from "./marey.js";
+import type { CharacterSet, Clip, Diagnostic, Joint, PositionMeaning, WriteOptions } from "./marey.js";
 import { MareyError } from "./marey_error.js";
 
 interface Description {
@@ -8,7 +8,20 @@ interface Description {
   channelCount: number;
   frameCount: number;
   frameTime: number;
+  namesIn: CharacterSet;
   diagnostics: Diagnostic[];
+}
+
+/** In the order of kCharacterSets in core/text/character_set.h. */
+const characterSets: readonly CharacterSet[] = ["utf-8", "windows-1251", "windows-1252", "gbk", "shift_jis"];
+
+/** What the program takes for a character set: its index, -1 for a guess. */
+function numberOf(set: CharacterSet | undefined): number {
+  const index = set === undefined ? -1 : characterSets.indexOf(set);
+  if (set !== undefined && index < 0) {
+    throw new MareyError("invalid_argument", `namesIn is one of ${characterSets.join(", ")}, not ${String(set)}.`);
+  }
+  return index;
 }
 
 /**
@@ -21,6 +34,7 @@ export class ClipInMemory implements Clip {
   readonly channelCount: number;
   readonly frameCount: number;
   readonly frameTime: number;
+  readonly namesIn: CharacterSet;
   readonly diagnostics: readonly Diagnostic[];
 
   /** `handle`: address of the clip, 0 once it is disposed of. */
@@ -30,14 +44,16 @@ export class ClipInMemory implements Clip {
     this.channelCount = description.channelCount;
     this.frameCount = description.frameCount;
     this.frameTime = description.frameTime;
+    this.namesIn = description.namesIn;
     this.diagnostics = description.diagnostics;
   }
 
-  static parse(module: CoreProgram, bytes: Uint8Array, strict: boolean): ClipInMemory {
+  static parse(module: CoreProgram, bytes: Uint8Array, strict: boolean, namesIn?: CharacterSet): ClipInMemory {
+    const set = numberOf(namesIn);
     const address = module._malloc(Math.max(bytes.length, 1));
     if (address === 0) throw new MareyError("limit_memory", `There is no memory for a file of ${bytes.length} bytes.`);
     module.HEAPU8.set(bytes, address);
-    const handle = module._marey_clip_parse(address, bytes.length, strict ? 1 : 0);
+    const handle = module._marey_clip_parse(address, bytes.length, strict ? 1 : 0, set);
     module._free(address);
     const description = JSON.parse(new TextDecoder().decode(copyText(module, handle)));
     if (module._marey_clip_is_open(handle) !== 0) return new ClipInMemory(module, handle, description);

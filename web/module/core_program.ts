@@ -5,7 +5,7 @@ export interface CoreProgram {
   readonly HEAPF64: Float64Array<ArrayBuffer>;
   _malloc(size: number): number;
   _free(address: number): void;
-  _marey_clip_parse(text: number, size: number, strict: number): number;
+  _marey_clip_parse(text: number, size: number, strict: number, namesIn: number): number;
   _marey_clip_dispose(clip: number): void;
   _marey_clip_is_open(clip: number): number;
   _marey_clip_text(clip: number): number;

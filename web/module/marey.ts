@@ -5,7 +5,7 @@ import { readProgram } from "./read_program.js";
 export { MareyError } from "./marey_error.js";
 
 export interface Joint {
-  /** As in the file; names may repeat. */
+  /** The bytes of the file, read as `namesIn` says; names may repeat. */
   readonly name: string;
   /** Index of the parent joint, smaller than the joint's own; -1 for a root. */
   readonly parent: number;
@@ -30,6 +30,9 @@ export interface Diagnostic {
   readonly count: number;
 }
 
+/** What the bytes of names stand for, by the labels of the Encoding Standard. Windows-1252 holds Latin-1. */
+export type CharacterSet = "utf-8" | "windows-1251" | "windows-1252" | "gbk" | "shift_jis";
+
 /** A BVH clip. Frames, joints and channels count from 0. */
 export interface Clip {
   /** In file order, parents first. */
@@ -40,6 +43,8 @@ export interface Clip {
   readonly frameCount: number;
   /** Seconds per frame. */
   readonly frameTime: number;
+  /** As given or guessed. `write` gives the names' own bytes whatever it is. */
+  readonly namesIn: CharacterSet;
   readonly diagnostics: readonly Diagnostic[];
 
   /** Samples of a channel over all frames, a copy: degrees or file units. */
@@ -83,6 +88,8 @@ export interface WriteOptions {
 export interface ParseOptions {
   /** Refuse what would otherwise be repaired. */
   strict?: boolean;
+  /** Character set of the names; by default a guess. */
+  namesIn?: CharacterSet;
 }
 
 export interface Marey {
@@ -101,9 +108,9 @@ export async function createMarey(options: MareyOptions = {}): Promise<Marey> {
   const wasmBinary = given ? new Uint8Array(given) : await readProgram(new URL("marey.wasm", import.meta.url));
   const module = await createModule({ wasmBinary });
   return {
-    parse(data, { strict = false } = {}) {
+    parse(data, { strict = false, namesIn } = {}) {
       const bytes = typeof data === "string" ? new TextEncoder().encode(data) : data;
-      return ClipInMemory.parse(module, bytes, strict);
+      return ClipInMemory.parse(module, bytes, strict, namesIn);
     },
   };
 }

@@ -133,7 +133,7 @@ TEST(WildRow20, NamesAreTheRestOfTheLine) {
                                  "End", "JOINT", "ROOT OFFSET"}) {
     const std::string text = replaced(file_with_lines(kChild, 9), "Chest", name);
     const BvhClip clip = read_or_fail(text);
-    EXPECT_EQ(clip.skeleton.name(1), name);
+    EXPECT_EQ(clip.skeleton.node(1).name_bytes, name);
     EXPECT_EQ(written(clip), text);
   }
   const std::string with_blank = replaced(file_with_lines(kChild, 9), "Chest", "Chest ");
