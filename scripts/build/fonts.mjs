@@ -20,6 +20,7 @@ const textBlocks = [
   [0x2100, 0x22ff], // letterlike, number forms, arrows, mathematics
   [0x2318, 0x2325], // keys
   [0x25a0, 0x25ff], // geometric shapes
+  [0xfffd, 0xfffd], // what is no letter
 ];
 
 function charactersOf(blocks) {

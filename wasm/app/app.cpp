@@ -7,6 +7,7 @@
 
 #include "core/base/counted.h"
 #include "core/bvh/reader.h"
+#include "core/bvh/text_encoding.h"
 #include "wasm/app/app_parts.h"
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/samples.h"
@@ -41,7 +42,7 @@ void add_all_commands(AppParts& parts) {
 Message refusal_message(const std::string& file_name, const Error& error, bool keeps_document) {
   std::string detail;
   if (error.place.line > 0) detail = fmt::format("Line {}, column {}: ", error.place.line, error.place.column);
-  detail += ui::displayable(error.message);
+  detail += error.message;
   detail += keeps_document ? " The clip that was open stays as it was." : "";
   return {MessageKind::Error, ui::displayable(file_name) + " could not be opened", std::move(detail), ""};
 }
@@ -62,12 +63,12 @@ std::string opened_text(const Session& session) {
   return text + ".";
 }
 
-// The bytes are not kept: what the report shows of them is taken now. UTF-16 would show as rubbish.
+// The bytes are not kept: what the report shows of them is taken now.
 std::vector<TextExcerpt> find_excerpts(const Document& document, std::string_view bytes) {
-  if (document.style().encoding != TextEncoding::Bytes) return {};
+  std::string converted;
   std::vector<TextPlace> places;
   for (const Diagnostic& diagnostic : document.diagnostics().list()) places.push_back(diagnostic.place);
-  return make_excerpts(bytes, places);
+  return make_excerpts(text_in_utf8(bytes, converted), places);
 }
 
 bool is_sample_file(std::string_view file_name) {

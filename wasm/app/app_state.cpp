@@ -23,7 +23,7 @@ json joint_list(const Skeleton& skeleton) {
                                                             : std::string(channel_keyword(channel.kind)));
     }
     const glm::dvec3& offset = skeleton.offset(joint);
-    joints.push_back({{"name", ui::displayable(skeleton.name(joint))},
+    joints.push_back({{"name", skeleton.name(joint)},
                       {"parent", skeleton.parent(joint)},
                       {"offset", {offset.x, offset.y, offset.z}},
                       {"channels", std::move(channels)}});
@@ -55,7 +55,7 @@ json diagnostic_list(const Diagnostics& diagnostics) {
                     {"code", diagnostic_id(diagnostic.code)},
                     {"line", diagnostic.place.line},
                     {"column", diagnostic.place.column},
-                    {"message", ui::displayable(diagnostic.message)},
+                    {"message", diagnostic.message},
                     {"count", diagnostic.count}});
   }
   return list;
@@ -86,6 +86,7 @@ void add_document(json& state, const Document& document) {
   state["positionRule"] = settings.position_rule == PositionRule::Replace ? "replace" : "add";
   state["upAxis"] = axis_name(settings.up_axis);
   state["metresPerUnit"] = settings.metres_per_unit;
+  state["namesIn"] = traits_of(settings.names_in).id;
 }
 
 void add_playback(json& state, const Playback& playback) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
 #include "wasm/app/icons.h"
@@ -55,6 +57,33 @@ void add_up_axis(CommandRegistry& registry, Workspace& workspace, Axis axis, std
                 }});
 }
 
+/// Why another character set would change nothing.
+std::string needs_names(const Workspace& workspace) {
+  if (!workspace.has_clip()) return needs_clip(workspace);
+  const Document& document = workspace.session.document;
+  if (document.style().encoding != TextEncoding::Bytes) return "The file is UTF-16: its letters are certain.";
+  return telling_names(document.skeleton(), CharacterSet::Utf8, 1).empty()
+             ? "The names are plain ASCII, the same in every character set."
+             : "";
+}
+
+void add_names_in(CommandRegistry& registry, Workspace& workspace, CharacterSet set) {
+  const CharacterSetTraits& traits = traits_of(set);
+  registry.add({.id = fmt::format("clip.names_in.{}", traits.id),
+                .label = fmt::format("Names in {}", traits.label),
+                .help = fmt::format("Reads the letters of all names as {} ({}). The file keeps their bytes.", traits.label, traits.script),
+                .icon = icons::kLanguages,
+                .run = [&workspace, set](const json&) {
+                  ClipSettings settings = workspace.session.document.settings();
+                  settings.names_in = set;
+                  return apply_settings(workspace, fmt::format("Read names as {}", traits_of(set).label), settings);
+                },
+                .blocked = [&workspace] { return needs_names(workspace); },
+                .checked = [&workspace, set] {
+                  return workspace.has_clip() && workspace.session.document.settings().names_in == set;
+                }});
+}
+
 json set_unit(Workspace& workspace, const json& args) {
   CommandArgs read(args);
   if (!read.has("metres")) return command_error("Give the length of a file unit as {\"metres\": number}.");
@@ -86,6 +115,7 @@ void add_clip_commands(CommandRegistry& registry, Workspace& workspace) {
            "A position channel is added to the joint's offset, as three.js reads it.");
   add_up_axis(registry, workspace, Axis::Y, "clip.up_axis.y", "Y is up", "The figure stands along the Y axis.");
   add_up_axis(registry, workspace, Axis::Z, "clip.up_axis.z", "Z is up", "The figure stands along the Z axis.");
+  for (const CharacterSet set : kCharacterSets) add_names_in(registry, workspace, set);
   registry.add({.id = "clip.unit",
                 .label = "Length of a unit",
                 .help = "Sets how many metres a file unit is.",

@@ -62,7 +62,7 @@ json select_joint(Workspace& workspace, const json& args) {
   if (read.failed()) return read.error();
   Selection& selection = workspace.session.selection;
   add ? selection.toggle(joint) : selection.select_only(joint);
-  return ui::displayable(skeleton.name(joint));
+  return skeleton.name(joint);
 }
 
 void add_walk_commands(CommandRegistry& registry, Workspace& workspace) {

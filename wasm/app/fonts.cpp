@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstring>
 
+#include "core/text/utf8.h"
+
 namespace marey::app {
 namespace {
 
@@ -38,7 +40,21 @@ ImFont* add_face(const std::vector<std::byte>& file, const char* name) {
   return atlas.AddFontFromMemoryTTF(copied_for_imgui(file), static_cast<int>(file.size()), Fonts::kTextSize, &config);
 }
 
+/// U+FFFD stands for bytes that are no letter; a letter that the face lacks shall look different.
+void show_missing_letters_as_boxes(ImFont& face) {
+  constexpr ImWchar kBox = 0x25a1;
+  if (face.IsGlyphInFont(kBox)) face.FallbackChar = kBox;
+}
+
 }  // namespace
+
+bool can_draw(const Fonts& fonts, std::string_view utf8) {
+  for (std::size_t at = 0; at < utf8.size();) {
+    const char32_t letter = take_utf8(utf8, at).value_or(kReplacement);
+    if (letter > IM_UNICODE_CODEPOINT_MAX || !fonts.text->IsGlyphInFont(static_cast<ImWchar>(letter))) return false;
+  }
+  return true;
+}
 
 Fonts add_fonts(const FontFiles& files) {
   Fonts fonts;
@@ -47,6 +63,7 @@ Fonts add_fonts(const FontFiles& files) {
   fonts.semibold = add_face(files.semibold, "semibold");
   merge_icons(files.icons);
   fonts.mono = add_face(files.mono, "mono");
+  for (ImFont* face : {fonts.text, fonts.semibold, fonts.mono}) show_missing_letters_as_boxes(*face);
   ImGui::GetStyle().FontSizeBase = Fonts::kTextSize;
   return fonts;
 }

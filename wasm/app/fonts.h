@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
 namespace marey::app {
@@ -25,6 +26,9 @@ struct FontFiles {
   std::vector<std::byte> mono;
   std::vector<std::byte> icons;
 };
+
+/// Whether the text face has all letters of `utf8`. Those that it lacks show as boxes.
+[[nodiscard]] bool can_draw(const Fonts& fonts, std::string_view utf8);
 
 /// Adds the faces to the current ImGui context. The files may be released afterwards.
 [[nodiscard]] Fonts add_fonts(const FontFiles& files);

@@ -44,6 +44,7 @@ inline constexpr char kGrid3x3[] = "\ue0e9";
 inline constexpr char kHand[] = "\ue1d7";
 inline constexpr char kInfo[] = "\ue0f9";
 inline constexpr char kKeyboard[] = "\ue284";
+inline constexpr char kLanguages[] = "\ue0fe";
 inline constexpr char kLayers[] = "\ue529";
 inline constexpr char kListTree[] = "\ue408";
 inline constexpr char kLocateFixed[] = "\ue1db";

@@ -89,7 +89,7 @@ void hairline(ImDrawList& draw_list, ImVec2 from, ImVec2 to, ImU32 color);
 /// Soft shadow around the current window. Call right after Begin of a popup, menu or tool tip.
 void popup_shadow(const ViewContext& context);
 
-/// A text from a file that may not be UTF-8: invalid bytes shown as U+FFFD.
+/// A text that may not be UTF-8, as a file name: invalid bytes shown as U+FFFD. Names of joints and findings are UTF-8.
 [[nodiscard]] std::string displayable(std::string_view bytes);
 
 }  // namespace marey::app::ui

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/character_set.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/shortcut.h"
 #include "wasm/app/widgets.h"
@@ -176,20 +177,6 @@ void popup_shadow(const ViewContext& context) {
   draw_list.PopClipRect();
 }
 
-std::string displayable(std::string_view bytes) {
-  std::string text;
-  text.reserve(bytes.size());
-  const char* at = bytes.data();
-  const char* const end = at + bytes.size();
-  while (at < end) {
-    unsigned character = 0;
-    const int length = ImTextCharFromUtf8(&character, at, end);
-    char utf8[5];
-    ImTextCharToUtf8(utf8, character == 0 ? IM_UNICODE_CODEPOINT_INVALID : character);
-    text += utf8;
-    at += std::max(length, 1);
-  }
-  return text;
-}
+std::string displayable(std::string_view bytes) { return decoded(bytes, CharacterSet::Utf8); }
 
 }  // namespace marey::app::ui

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "core/text/utf8.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
 
@@ -19,11 +19,8 @@ constexpr float kEyeWidth = 24.0f;
 // Deep chains stop moving right, so that their names stay on screen.
 constexpr int kMostIndents = 12;
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
-
 bool contains_ignoring_case(const std::string& text, const std::string& part) {
-  const auto same = [](char a, char b) { return lower(a) == lower(b); };
-  return std::search(text.begin(), text.end(), part.begin(), part.end(), same) != text.end();
+  return in_small_letters(text).find(in_small_letters(part)) != std::string::npos;
 }
 
 float row_height(const ViewContext& context) { return context.options.touch ? kTouchRowHeight : kRowHeight; }
@@ -127,7 +124,7 @@ void OutlinerView::draw_row_content(ViewContext& context, const Row& row, ImVec2
   const bool tail = hovered || !shows_curves(selection, skeleton, row.joint);
   ImGui::SetCursorScreenPos({text_x, min.y + 0.5f * (max.y - min.y - ImGui::GetFontSize())});
   const ImU32 color = selected ? context.theme.text : with_alpha(context.theme.text, row.matches ? 0.92f : 0.5f);
-  ui::elided_text(context, ui::displayable(skeleton.name(row.joint)), max.x - text_x - (tail ? kEyeWidth : 6.0f), color);
+  ui::elided_text(context, skeleton.name(row.joint), max.x - text_x - (tail ? kEyeWidth : 6.0f), color);
 }
 
 void OutlinerView::draw_row(ViewContext& context, const Row& row) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "core/text/readable.h"
+#include "core/text/utf8.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/problems/problem_entry.h"
@@ -37,35 +39,43 @@ void draw_nothing_found(const ViewContext& context, bool has_clip) {
 /// Where the lines of an excerpt stand; what does not fit is cut off, the place never.
 struct ExcerptLayout {
   ImVec2 min, max;
-  float letter;   ///< width of one
+  float letter;         ///< width of an ASCII letter
   float text_x;
-  int skipped;    ///< bytes at the front of each line
+  std::size_t skipped;  ///< letters at the front of each line
 };
+
+float mono_width(const ViewContext& context, std::string_view text) {
+  return context.fonts.mono->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, text.data(), text.data() + text.size()).x;
+}
 
 ExcerptLayout lay_out_excerpt(const ViewContext& context, const TextExcerpt& excerpt, std::size_t number_width) {
   ExcerptLayout layout;
   layout.min = ImGui::GetCursorScreenPos();
   layout.max = {layout.min.x + ImGui::GetContentRegionAvail().x - kPadding,
                 layout.min.y + kLineHeight * static_cast<float>(size_of(excerpt.lines)) + 8.0f};
-  layout.letter = context.fonts.mono->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, "0").x;
+  layout.letter = mono_width(context, "0");
   layout.text_x = layout.min.x + layout.letter * static_cast<float>(number_width) + 18.0f;
-  const auto fitting = static_cast<int>((layout.max.x - layout.text_x) / layout.letter);
-  layout.skipped = std::max(excerpt.marked_byte - fitting * 2 / 3, 0);
+  const auto fitting = static_cast<std::size_t>(std::max(layout.max.x - layout.text_x, 0.0f) / layout.letter);
+  const std::string_view marked = excerpt.lines[idx(excerpt.marked_line)];
+  const std::size_t before = count_letters(marked.substr(0, idx(excerpt.marked_byte)));
+  layout.skipped = before - std::min(before, fitting * 2 / 3);
   return layout;
 }
 
 void draw_excerpt_line(const ViewContext& context, const ExcerptLayout& layout, float y, const std::string& number,
                        const std::string& line) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const std::string text = ui::displayable(line.substr(std::min(idx(layout.skipped), line.size())));
+  const std::string_view text = without_letters(line, layout.skipped);
   list.AddText(context.fonts.mono, Fonts::kSmallSize, {layout.min.x + 8.0f, y}, context.theme.dim_text, number.c_str());
-  list.AddText(context.fonts.mono, Fonts::kSmallSize, {layout.text_x, y}, context.theme.text, text.c_str());
+  list.AddText(context.fonts.mono, Fonts::kSmallSize, {layout.text_x, y}, context.theme.text, text.data(),
+               text.data() + text.size());
 }
 
 }  // namespace
 
 void ProblemsView::draw_excerpt(ViewContext& context, int index) const {
-  const TextExcerpt& excerpt = context.session.excerpts[idx(index)];
+  const CharacterSet set = context.session.document.settings().names_in;
+  const TextExcerpt excerpt = readable(context.session.excerpts[idx(index)], set);
   const std::size_t number_width = fmt::formatted_size("{}", excerpt.first_line + size_of(excerpt.lines) - 1);
   const ExcerptLayout layout = lay_out_excerpt(context, excerpt, number_width);
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -77,7 +87,8 @@ void ProblemsView::draw_excerpt(ViewContext& context, int index) const {
     draw_excerpt_line(context, layout, layout.min.y + 5.0f + kLineHeight * static_cast<float>(i),
                       fmt::format("{:>{}}", excerpt.first_line + i, number_width), excerpt.lines[idx(i)]);
   }
-  const float x = layout.text_x + layout.letter * static_cast<float>(excerpt.marked_byte - layout.skipped);
+  const std::string_view before = std::string_view(excerpt.lines[idx(excerpt.marked_line)]).substr(0, idx(excerpt.marked_byte));
+  const float x = layout.text_x + mono_width(context, without_letters(before, layout.skipped));
   list.AddRectFilled({x, marked_y + kLineHeight - 2.0f}, {x + layout.letter, marked_y + kLineHeight}, context.theme.warning);
   list.PopClipRect();
   ImGui::Dummy({layout.max.x - layout.min.x, layout.max.y - layout.min.y});
@@ -90,7 +101,7 @@ void ProblemsView::draw_entry(ViewContext& context, const Diagnostic& diagnostic
   ProblemEntry entry;
   entry.id = fmt::format("problems.entry.{}", index);
   entry.severity = diagnostic.severity;
-  entry.message = ui::displayable(diagnostic.message);
+  entry.message = diagnostic.message;
   entry.details = {place_text(diagnostic)};
   if (has_excerpt) entry.click_help = "Click to see the place in the text of the file.";
   if (draw_problem_entry(context, entry)) unfolded_ = unfolded_ == index ? -1 : index;

@@ -68,7 +68,7 @@ void draw_joint_heading(ViewContext& context, JointIndex joint) {
   ImGui::Dummy({0.0f, 4.0f});
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + kPadding);
   const float width = ImGui::GetContentRegionAvail().x - kPadding;
-  ui::elided_text(context, ui::displayable(context.session.document.skeleton().name(joint)), width,
+  ui::elided_text(context, context.session.document.skeleton().name(joint), width,
                   context.theme.dim_text);
   ImGui::Dummy({0.0f, 4.0f});
 }

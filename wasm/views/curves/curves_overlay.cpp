@@ -171,7 +171,7 @@ void draw_hit_label(ViewContext& context, const CurvesState& state) {
   const double value = document.motion().sample(hit.channel, hit.frame);
   const ImVec2 place{context.time_window.x_of(hit.frame) + 10.0f,
                      state.axis_of(document.skeleton(), hit.channel).y_of(value) - kLabelHeight - 8.0f};
-  const std::string joint = ui::displayable(document.skeleton().name(channel.joint));
+  const std::string joint = document.skeleton().name(channel.joint);
   draw_chip(context, state.area, place,
             fmt::format("{} {}  frame {}  {}", joint, short_name_of(channel), hit.frame + 1, value_text(channel, value)),
             context.theme.text);

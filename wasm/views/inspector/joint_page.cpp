@@ -17,7 +17,7 @@ constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
 
 std::string parent_name(const Skeleton& skeleton, JointIndex joint) {
   const JointIndex parent = skeleton.parent(joint);
-  return parent == kNoParent ? "none, this is a root" : ui::displayable(skeleton.name(parent));
+  return parent == kNoParent ? "none, this is a root" : skeleton.name(parent);
 }
 
 }  // namespace
@@ -92,7 +92,7 @@ void JointPage::draw(ViewContext& context) {
     ui::dim_text(context, "Select a joint to see its numbers.");
     return;
   }
-  inspector::heading(context, ui::displayable(skeleton.name(joint)));
+  inspector::heading(context, skeleton.name(joint));
   inspector::text_row(context, "Parent", parent_name(skeleton, joint));
   const std::string order = euler_order_label(skeleton, joint);
   inspector::text_row(context, "Rotation order", order.empty() ? "none" : order);

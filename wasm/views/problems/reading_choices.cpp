@@ -141,6 +141,7 @@ bool ReadingChoices::draw_below(ViewContext& context, DiagnosticCode code) {
     case DiagnosticCode::MissingFrameTime:
     case DiagnosticCode::FrameTimeNotPositive:
     case DiagnosticCode::FrameTimeLooksLikeRate: draw_frame_rate(context); return true;
+    case DiagnosticCode::NamesNotUtf8: inspector::draw_names_choice(context); return true;
     case DiagnosticCode::FrameCountMismatch:
       if (context.session.document.declared_frames() == 0) return false;
       draw_surplus_frames(context);

@@ -28,7 +28,7 @@ void draw_hover_label(const ViewContext& context, const ViewportState& state, Jo
   const Skeleton& skeleton = context.session.document.skeleton();
   const auto place = state.view.project(state.figure.pose().world_positions[idx(skeleton.node_of(joint))]);
   if (!place) return;
-  const std::string name = ui::displayable(skeleton.name(joint));
+  const std::string name = skeleton.name(joint);
   const std::string& text = name.empty() ? std::string("(no name)") : name;
   const float view_width = static_cast<float>(state.view.size().x);
   const float widest = std::max(view_width - 2.0f * kHoverPadding.x - 16.0f, 40.0f);
@@ -76,7 +76,7 @@ void JointLabels::update_names(const ViewContext& context, const ViewportState& 
   const Skeleton& skeleton = context.session.document.skeleton();
   names_.clear();
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    std::string text = shortened(ui::displayable(skeleton.name(joint)));
+    std::string text = shortened(skeleton.name(joint));
     if (text.empty()) continue;
     const ImVec2 size = ImGui::CalcTextSize(text.data(), text.data() + text.size());
     names_.push_back({joint, std::move(text), {size.x + 2.0f * kPadding.x, size.y + 2.0f * kPadding.y}});
