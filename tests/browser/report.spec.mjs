@@ -33,13 +33,16 @@ test.beforeEach(async ({ marey }) => {
 });
 
 test("a frame too many is left out by one click and comes back by undo", async ({ marey }) => {
+  // What is saved counts what the file holds.
+  const repaired = referenceClip.replace("Frames: 20", "Frames: 21");
+  expect(await marey.save()).toBe(repaired);
   await marey.press("Shift+P");
   await marey.click("clip.frames.declared@inspector");
   await marey.expectState(({ frames, dirty }) => [frames, dirty], [20, true]);
   expect(await marey.save()).toBe(referenceClip.replace("30 40 19 0 10 0\n", ""));
   await marey.press("Control+z");
   await marey.expectState(({ frames, dirty }) => [frames, dirty], [21, false]);
-  expect(await marey.save()).toBe(referenceClip);
+  expect(await marey.save()).toBe(repaired);
   await marey.picture("report");
 });
 
