@@ -22,6 +22,9 @@ void add_help_commands(CommandRegistry& registry, Workspace& workspace);
 /// "walk.bvh" for "walk.bvh", "walk.BVH", "walk.txt" and "walk"; "clip.bvh" for an empty name.
 [[nodiscard]] std::string download_name(std::string_view file_name);
 
+/// Whether the first frame of the opened file has been left out.
+[[nodiscard]] bool is_first_frame_left_out(const Document& document);
+
 /// Why a command that needs an open clip cannot run; "" when it can.
 [[nodiscard]] std::string needs_clip(const Workspace& workspace);
 /// The same for one that needs frames.

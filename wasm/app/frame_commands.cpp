@@ -35,11 +35,6 @@ bool undo_restores(const Document& document, FrameIndex first, bool and_later) {
   return restored == first || (and_later && restored > first);
 }
 
-bool lacks_first_frame(const Document& document) {
-  const std::vector<FrameIndex>& frames = document.clip().file_frames;
-  return !frames.empty() && frames.front() > 0;
-}
-
 /// First frame of the clip that the file does not declare; the frame count if there is none.
 FrameIndex first_undeclared(const Document& document) {
   const std::vector<FrameIndex>& frames = document.clip().file_frames;
@@ -92,7 +87,7 @@ void add_frame_choices(CommandRegistry& registry, Workspace& workspace) {
   first.leave_out = {.id = "clip.first_frame.leave_out",
                      .label = "Leave out frame 1",
                      .help = "Takes the first frame away, which in many files is a reference pose."};
-  first.is_left_out = [document] { return lacks_first_frame(document()); };
+  first.is_left_out = [document] { return is_first_frame_left_out(document()); };
   first.can_undo = [document] { return undo_restores(document(), 0, false); };
   first.frames = [] { return FrameRange{0, 1}; };
   first.missing = [document] { return document().motion().frame_count() > 1 ? "" : "A clip keeps one frame at least."; };
@@ -114,6 +109,11 @@ void add_frame_choices(CommandRegistry& registry, Workspace& workspace) {
 }
 
 }  // namespace
+
+bool is_first_frame_left_out(const Document& document) {
+  const std::vector<FrameIndex>& frames = document.clip().file_frames;
+  return !frames.empty() && frames.front() > 0;
+}
 
 void add_frame_commands(CommandRegistry& registry, Workspace& workspace) {
   registry.add({.id = "clip.remove_frames",

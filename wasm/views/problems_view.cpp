@@ -7,6 +7,7 @@
 
 #include "core/text/readable.h"
 #include "core/text/utf8.h"
+#include "wasm/app/builtin_commands.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/problems/problem_entry.h"

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/base/counted.h"
+#include "wasm/app/builtin_commands.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/property_row.h"
 #include "wasm/views/problems/problem_entry.h"

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/counted.h"
+#include "wasm/app/builtin_commands.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/clip_page.h"
 #include "wasm/views/inspector/property_row.h"
@@ -40,11 +41,6 @@ std::string height_text(double units, const ClipSettings& settings) {
 }
 
 }  // namespace
-
-bool is_first_frame_left_out(const Document& document) {
-  const std::vector<FrameIndex>& frames = document.clip().file_frames;
-  return !frames.empty() && frames.front() > 0;
-}
 
 ChoiceCard ReadingChoices::pictured(ViewContext& context, const char* command_id, const ClipSettings& settings) {
   const Clip& clip = context.session.document.clip();

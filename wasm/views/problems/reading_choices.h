@@ -27,7 +27,4 @@ class ReadingChoices {
   PosePicture picture_;
 };
 
-/// Whether the first frame of the opened file has been left out.
-[[nodiscard]] bool is_first_frame_left_out(const Document& document);
-
 }  // namespace marey::app
