@@ -68,9 +68,9 @@ std::string with_line_ends(const std::string& text, std::string_view line_end) {
   return result;
 }
 
-}  // namespace
-
-std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style, const SaveOptions& options) {
+/// The text in the wanted numbers. Copies the clip only where some of them are other ones.
+std::string write_numbers(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style, const SaveOptions& options) {
+  if (options.frames.count == 0 && !options.decimals) return write_bvh(skeleton, motion, style);
   Skeleton saved_skeleton = skeleton;
   Motion saved_motion = options.frames.count > 0 ? trimmed(motion, options.frames) : motion;
   BvhStyle saved_style = style;
@@ -80,8 +80,15 @@ std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhS
     saved_style.motion = with_frames(style.motion, frames);
   }
   if (options.decimals) round_all(saved_skeleton, saved_motion, saved_style, *options.decimals);
-  saved_style.encoding = TextEncoding::Bytes;
-  std::string text = write_bvh(saved_skeleton, saved_motion, saved_style);
+  return write_bvh(saved_skeleton, saved_motion, saved_style);
+}
+
+}  // namespace
+
+std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style, const SaveOptions& options) {
+  BvhStyle as_bytes = style;
+  as_bytes.encoding = TextEncoding::Bytes;
+  std::string text = write_numbers(skeleton, motion, as_bytes, options);
   if (options.line_end) text = with_line_ends(text, *options.line_end == LineEnd::Lf ? "\n" : "\r\n");
   return style.encoding == TextEncoding::Bytes ? text : encoded_as_utf16(text, style.encoding);
 }

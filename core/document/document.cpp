@@ -74,7 +74,7 @@ Status Document::apply(Edit edit) {
 
 Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_edit) {
   keep_gesture_ghosts(gesture);
-  return history_.apply_gesture(clip_, gesture, [&](const Clip& clip) {
+  Status status = history_.apply_gesture(clip_, gesture, [&](const Clip& clip) {
     Edit edit = make_edit(clip);
     if (check_edit(clip, edit)) {
       edit = reduced_to_changes(clip, std::move(edit));
@@ -82,21 +82,28 @@ Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_
     }
     return edit;
   });
+  forget_restored_frames();
+  return status;
 }
 
 void Document::cancel_gesture(GestureId gesture) {
   keep_gesture_ghosts(gesture);
   history_.cancel_gesture(clip_, gesture);
+  forget_restored_frames();
 }
 
 bool Document::undo() {
   if (const Edit* edit = history_.undo_edit()) keep_ghosts(*edit);
-  return history_.undo(clip_);
+  const bool undone = history_.undo(clip_);
+  forget_restored_frames();
+  return undone;
 }
 
 bool Document::redo() {
   if (const Edit* edit = history_.redo_edit()) keep_ghosts(*edit);
-  return history_.redo(clip_);
+  const bool redone = history_.redo(clip_);
+  forget_restored_frames();
+  return redone;
 }
 
 BvhStyle Document::style_of_frames() const {
@@ -121,11 +128,11 @@ void Document::mark_saved() {
 
 std::span<const double> Document::saved_samples(ChannelIndex channel) const {
   const auto found = saved_samples_.find(channel);
-  return found == saved_samples_.end() || !has_saved_frames() ? std::span<const double>() : std::span<const double>(found->second);
+  return found == saved_samples_.end() || saved_file_frames_ ? std::span<const double>() : std::span<const double>(found->second);
 }
 
-bool Document::has_saved_frames() const {
-  return !saved_file_frames_ || as_listed(clip_.file_frames, clip_.motion.frame_count()) == *saved_file_frames_;
+void Document::forget_restored_frames() {
+  if (saved_file_frames_ && clip_.file_frames == *saved_file_frames_) saved_file_frames_.reset();
 }
 
 void Document::find_sample_changes(Changes& changes) const {

@@ -65,7 +65,7 @@ class Document {
   void keep_ghosts(const Edit& edit);
   void keep_gesture_ghosts(GestureId gesture);
   void keep_channel_ghost(ChannelIndex channel);
-  [[nodiscard]] bool has_saved_frames() const;
+  void forget_restored_frames();
   void find_sample_changes(Changes& changes) const;
 
   Clip clip_;
@@ -77,7 +77,7 @@ class Document {
   int declared_frames_ = 0;
   History history_;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
-  std::optional<std::vector<FrameIndex>> saved_file_frames_;  // as Clip::file_frames; nothing while no frame went
+  std::optional<std::vector<FrameIndex>> saved_file_frames_;  // as Clip::file_frames; nothing while all are there
   std::map<NodeIndex, glm::dvec3> saved_offsets_;
   std::optional<double> saved_frame_time_s_;
 };

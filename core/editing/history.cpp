@@ -82,27 +82,28 @@ void History::push(Clip& clip, Edit edit, GestureId gesture) {
   if (!done_.empty()) done_.back().gesture = 0;
   swap_edit(clip, edit);
   note_change(edited_frames(clip, edit));
-  bytes_ += edit_bytes(edit);
-  done_.push_back({std::move(edit), gesture, next_state_++});
+  const std::size_t bytes = edit_bytes(edit);
+  bytes_ += bytes;
+  done_.push_back({std::move(edit), gesture, next_state_++, bytes});
   trim();
 }
 
 // For a gesture's step, whose edit has been swapped out of the clip: nothing can be redone behind it.
 void History::drop_newest() {
-  bytes_ -= edit_bytes(done_.back().edit);
+  bytes_ -= done_.back().bytes;
   done_.pop_back();
   undone_.swap(undone_before_gesture_);
 }
 
 void History::forget(std::vector<Step>& steps) {
-  for (const Step& step : steps) bytes_ -= edit_bytes(step.edit);
+  for (const Step& step : steps) bytes_ -= step.bytes;
   steps.clear();
 }
 
 void History::trim() {
   if (bytes_ > max_bytes_) forget(undone_before_gesture_);
   while (bytes_ > max_bytes_ && done_.size() > 1) {
-    bytes_ -= edit_bytes(done_.front().edit);
+    bytes_ -= done_.front().bytes;
     base_state_ = done_.front().state;
     done_.pop_front();
   }

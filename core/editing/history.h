@@ -66,6 +66,7 @@ class History {
     Edit edit;
     GestureId gesture = 0;    // on the newest step only, and then nothing can be redone
     std::uint64_t state = 0;  // identity of the state that this step leads to
+    std::size_t bytes = 0;    // as counted in bytes_: an edit of frames holds less while it is undone
   };
   [[nodiscard]] std::uint64_t present_state() const { return done_.empty() ? base_state_ : done_.back().state; }
   void push(Clip& clip, Edit edit, GestureId gesture);

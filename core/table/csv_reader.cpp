@@ -217,6 +217,7 @@ Result<BvhClip> read_channel_table(std::string_view text, const BvhClip& figure,
   clip.skeleton = figure.skeleton;
   clip.style = figure.style;
   clip.position_rule = figure.position_rule;
+  clip.names_in = figure.names_in;
   clip.motion = motion_of(figure, column_of, table, frame_time_s);
   clip.diagnostics = report.take_diagnostics();
   return clip;

@@ -70,5 +70,24 @@ TEST_F(SaveAsTest, RefusesWhatItDoesNotKnow) {
   EXPECT_TRUE(stage_.log().downloads.empty());
 }
 
+TEST_F(SaveAsTest, AClipWithoutFramesHasNoPartToSave) {
+  ASSERT_TRUE(stage_.open_text("none.bvh", small_bvh(0)).ok());
+  EXPECT_TRUE(run({{"first", 0}, {"form", "channels"}}).contains("error"));
+  EXPECT_TRUE(stage_.log().downloads.empty());
+}
+
+TEST_F(SaveAsTest, TellsOfTheClipThatIsOpen) {
+  const auto difference = [&] {
+    stage_.app().run_command("file.save_as", nullptr);
+    stage_.settle();
+    return stage_.item("save_as.difference.0").label;
+  };
+  stage_.app().run_command("clip.frame_time", {{"seconds", 0.5}});
+  EXPECT_EQ(difference(), "Your changes: the frame time.");
+  ASSERT_TRUE(stage_.open_text("other.bvh", small_bvh(4)).ok());
+  stage_.app().run_command("clip.remove_frames", {{"first", 0}, {"count", 1}});
+  EXPECT_EQ(difference(), "Your changes: 1 frame left out.");
+}
+
 }  // namespace
 }  // namespace marey::app

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/base/counted.h"
 #include "core/interchange/export.h"
 #include "core/motion/resampling.h"
@@ -21,13 +23,11 @@ FrameRange frames_of(const Document& document, const SaveAs& wanted) {
   return frames.count > 0 ? frames : FrameRange{0, document.motion().frame_count()};
 }
 
-/// The clip with the wanted frames only, which an exporter may put others in front of.
-Clip clip_to_export(const Document& document, const SaveAs& wanted) {
-  Clip clip = document.clip();
-  if (wanted.options.frames.count == 0) return clip;
-  clip.motion = trimmed(clip.motion, wanted.options.frames);
-  clip.file_frames.clear();
-  return clip;
+/// The wanted frames for the wanted target.
+Result<ExportedClip> export_wanted(const Document& document, const SaveAs& wanted) {
+  if (wanted.options.frames.count == 0) return export_for_target(document.clip(), *wanted.target);
+  const Clip part{document.skeleton(), trimmed(document.motion(), wanted.options.frames), document.settings()};
+  return export_for_target(part, *wanted.target);
 }
 
 SaveOptions without_frames(SaveOptions options) {
@@ -64,6 +64,31 @@ void describe_decimals(const Document& document, const SaveAs& wanted, std::vect
                                     cost.numbers == 1 ? "is" : "are", decimals, cost.largest));
 }
 
+bool is_export(const SaveAs& wanted) { return wanted.form == SavedForm::Bvh && wanted.target.has_value(); }
+
+/// `exported`: the clip for the wanted target, null without one.
+std::vector<std::string> list_differences(const Document& document, const SaveAs& wanted, const ExportedClip* exported) {
+  std::vector<std::string> lines;
+  const Changes changes = document.find_changes();
+  if (!changes.empty()) lines.push_back("Your changes: " + describe(changes) + ".");
+  describe_frames(document, wanted, lines);
+  if (wanted.form != SavedForm::Bvh) {
+    lines.emplace_back(wanted.form == SavedForm::ChannelTable
+                           ? "A table holds the samples in degrees and file units; the skeleton is not in it."
+                           : "A table holds the world positions of all joints in file units; the skeleton is not in it.");
+    return lines;
+  }
+  if (exported != nullptr) {
+    for (const ExportChange& change : exported->changes) lines.push_back(change.message);
+    if (const std::string_view remark = traits_of(*wanted.target).remark; !remark.empty()) lines.emplace_back(remark);
+  }
+  describe_decimals(document, wanted, lines);
+  if (wanted.options.line_end) {
+    lines.push_back(fmt::format("Every line ends with {}.", *wanted.options.line_end == LineEnd::Lf ? "LF" : "CR LF"));
+  }
+  return lines;
+}
+
 }  // namespace
 
 std::string copy_name(const Document& document, const SaveAs& wanted) {
@@ -77,35 +102,20 @@ std::string copy_name(const Document& document, const SaveAs& wanted) {
 }
 
 std::vector<std::string> describe_copy(const Document& document, const SaveAs& wanted) {
-  std::vector<std::string> lines;
-  const Changes changes = document.find_changes();
-  if (!changes.empty()) lines.push_back("Your changes: " + describe(changes) + ".");
-  describe_frames(document, wanted, lines);
-  if (wanted.form != SavedForm::Bvh) {
-    lines.emplace_back(wanted.form == SavedForm::ChannelTable
-                           ? "A table holds the samples in degrees and file units; the skeleton is not in it."
-                           : "A table holds the world positions of all joints in file units; the skeleton is not in it.");
-    return lines;
-  }
-  if (wanted.target) {
-    const Result<ExportedClip> exported = export_for_target(clip_to_export(document, wanted), *wanted.target);
-    if (!exported) return {exported.error().message};
-    for (const ExportChange& change : exported->changes) lines.push_back(change.message);
-    if (const std::string_view remark = traits_of(*wanted.target).remark; !remark.empty()) lines.emplace_back(remark);
-  }
-  describe_decimals(document, wanted, lines);
-  if (wanted.options.line_end) {
-    lines.push_back(fmt::format("Every line ends with {}.", *wanted.options.line_end == LineEnd::Lf ? "LF" : "CR LF"));
-  }
-  return lines;
+  if (!is_export(wanted)) return list_differences(document, wanted, nullptr);
+  const Result<ExportedClip> exported = export_wanted(document, wanted);
+  if (!exported) return {exported.error().message};
+  return list_differences(document, wanted, &*exported);
 }
 
-Result<std::string> write_copy(const Document& document, const SaveAs& wanted) {
-  if (wanted.form != SavedForm::Bvh) return write_table(document, wanted);
-  if (!wanted.target) return document.save_text(wanted.options);
-  const Result<ExportedClip> exported = export_for_target(clip_to_export(document, wanted), *wanted.target);
+Result<Copy> make_copy(const Document& document, const SaveAs& wanted) {
+  if (!is_export(wanted)) {
+    std::string bytes = wanted.form == SavedForm::Bvh ? document.save_text(wanted.options) : write_table(document, wanted);
+    return Copy{std::move(bytes), list_differences(document, wanted, nullptr)};
+  }
+  const Result<ExportedClip> exported = export_wanted(document, wanted);
   if (!exported) return exported.error();
-  return write_exported(*exported, without_frames(wanted.options));
+  return Copy{write_exported(*exported, without_frames(wanted.options)), list_differences(document, wanted, &*exported)};
 }
 
 nlohmann::json arguments_of(const SaveAs& wanted) {

@@ -28,8 +28,13 @@ struct SaveAs {
 /// tells of.
 [[nodiscard]] std::vector<std::string> describe_copy(const Document& document, const SaveAs& wanted);
 
-/// The bytes of the copy. Fails where the target cannot take the clip. Precondition: the frames lie within the clip.
-[[nodiscard]] Result<std::string> write_copy(const Document& document, const SaveAs& wanted);
+struct Copy {
+  std::string bytes;
+  std::vector<std::string> differences;  ///< as describe_copy() tells them
+};
+
+/// Makes the copy. Fails where the target cannot take the clip. Precondition: the frames lie within the clip.
+[[nodiscard]] Result<Copy> make_copy(const Document& document, const SaveAs& wanted);
 
 /// The same as arguments of the command file.save_as.
 [[nodiscard]] nlohmann::json arguments_of(const SaveAs& wanted);

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
 #include "wasm/app/icons.h"
@@ -16,13 +14,12 @@ using nlohmann::json;
 json download(Workspace& workspace, const SaveAs& wanted) {
   Document& document = workspace.session.document;
   const std::string name = copy_name(document, wanted);
-  const Result<std::string> bytes = write_copy(document, wanted);
-  if (!bytes) return command_error(bytes.error().message);
-  const std::vector<std::string> notes = describe_copy(document, wanted);
-  workspace.backend.download(name, *bytes);
+  const Result<Copy> copy = make_copy(document, wanted);
+  if (!copy) return command_error(copy.error().message);
+  workspace.backend.download(name, copy->bytes);
   if (is_whole(wanted)) document.mark_saved();
   workspace.notify("Downloaded " + ui::displayable(name) + ".");
-  return {{"name", ui::displayable(name)}, {"bytes", bytes->size()}, {"notes", notes}};
+  return {{"name", ui::displayable(name)}, {"bytes", copy->bytes.size()}, {"notes", copy->differences}};
 }
 
 /// {"form", "target", "decimals", "lineEnds", "first", "count"}.
@@ -33,9 +30,11 @@ json read_wanted(const Workspace& workspace, const json& args, SaveAs& wanted) {
   const std::string line_ends = read.text("lineEnds", "");
   if (read.has("decimals")) wanted.options.decimals = read.whole("decimals", 6, 0, kMostSavedDecimals);
   const int frame_count = workspace.session.document.motion().frame_count();
-  if (read.has("first") || read.has("count")) {
-    const int first = read.whole("first", 0, 0, std::max(frame_count - 1, 0));
-    wanted.options.frames = {first, read.whole("count", frame_count - first, 1, std::max(frame_count - first, 1))};
+  const bool wants_part = read.has("first") || read.has("count");
+  if (wants_part && frame_count == 0) return command_error(needs_frames(workspace));
+  if (wants_part) {
+    const int first = read.whole("first", 0, 0, frame_count - 1);
+    wanted.options.frames = {first, read.whole("count", frame_count - first, 1, frame_count - first)};
   }
   if (read.failed()) return read.error();
   if (form != "bvh" && form != "channels" && form != "positions") {

@@ -117,6 +117,7 @@ void ProblemsView::draw(ViewContext& context) {
   if (clip_serial_ != context.clip_serial) {
     clip_serial_ = context.clip_serial;
     unfolded_ = -1;
+    choices_ = {};
   }
   const Document& document = context.session.document;
   const auto& list = document.diagnostics().list();

@@ -54,7 +54,10 @@ std::string form_tip(const SaveAs& wanted) {
 void SaveAsView::follow_clip(const ViewContext& context) {
   const int frame_count = context.session.document.motion().frame_count();
   if (clip_serial_ == context.clip_serial && frame_count_ == frame_count) return;
-  if (clip_serial_ != context.clip_serial) wanted_ = {};
+  if (clip_serial_ != context.clip_serial) {
+    wanted_ = {};
+    described_.reset();
+  }
   clip_serial_ = context.clip_serial;
   frame_count_ = frame_count;
   first_ = 1;

@@ -308,5 +308,15 @@ TEST_F(HistoryTest, AStateOfADragChangesTheFramesOfTheFormerStateToo) {
   EXPECT_EQ(history.revision(), 3u);
 }
 
+TEST(History, FramesThatWereLeftOutAreCountedUntilTheirStepIsForgotten) {
+  Clip clip = make_clip(2, 50);
+  History history;
+  ASSERT_TRUE(history.apply(clip, make_remove_frames_edit({0, 20})));
+  EXPECT_GE(history.bytes(), idx(20 * clip.motion.channel_count()) * sizeof(double));
+  ASSERT_TRUE(history.undo(clip));
+  ASSERT_TRUE(history.apply(clip, make_frame_time_edit(0.5)));
+  EXPECT_LT(history.bytes(), 1000u);
+}
+
 }  // namespace
 }  // namespace marey::test

@@ -40,9 +40,7 @@ void go_to(ViewContext& context, const Finding& finding) {
 }  // namespace
 
 void LintSection::look(const ViewContext& context) {
-  LintOptions options;
-  options.metres_per_unit = context.session.document.settings().metres_per_unit;
-  report_ = lint_clip(context.session.document.clip(), options);
+  report_ = lint_clip(context.session.document.clip());
   clip_serial_ = context.clip_serial;
   revision_ = context.session.document.revision();
   is_stale_ = false;

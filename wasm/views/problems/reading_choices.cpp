@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -73,7 +74,7 @@ void ReadingChoices::draw_frame_rate(ViewContext& context) {
     ChoiceCard card;
     card.id = fmt::format("clip.frame_rate.{:.0f}{}", rate_hz, kSuffix);
     card.label = fmt::format("{:.0f} fps", rate_hz);
-    card.detail = fmt::format("{:.2f} s long", (motion.frame_count() - 1) / rate_hz);
+    card.detail = fmt::format("{:.2f} s long", std::max(motion.frame_count() - 1, 0) / rate_hz);
     card.help = "Sets the frame time. The samples stay as they are.";
     card.chosen = std::abs(present_hz - rate_hz) < 1e-9;
     cards.push_back(std::move(card));
