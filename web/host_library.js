@@ -64,6 +64,14 @@ mergeInto(LibraryManager.library, {
     Module["host"].openLink(mareyText(url, urlSize));
   },
 
+  marey_host_measure_letter: function (codePoint, em, weight) {
+    return Module["host"].measureLetter(codePoint, em, weight);
+  },
+
+  marey_host_draw_letter: function (codePoint, em, weight, side, penX, penY, coverage) {
+    HEAPU8.set(Module["host"].drawLetter(codePoint, em, weight, { side, penX, penY }), coverage);
+  },
+
   marey_host_set_text_input: function (wanted, cssX, cssY, cssHeight) {
     Module["host"].setTextInput(wanted !== 0, cssX, cssY, cssHeight);
   },

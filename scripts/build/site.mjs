@@ -5,6 +5,7 @@ import { filesBelow } from "../lib/files.mjs";
 import { inRoot, run } from "../lib/shell.mjs";
 import { buildPreset, configurePreset } from "./cmake.mjs";
 import { buildFonts } from "./fonts.mjs";
+import { buildLetters } from "./letters.mjs";
 import { makeOneFilePage } from "./one_file.mjs";
 
 const dist = (...parts) => inRoot("dist", ...parts);
@@ -38,6 +39,7 @@ async function buildPage() {
   await bundle("web/src/main.ts", dist("main.js"));
   copyFileSync(wasm("app.wasm"), dist("app.wasm"));
   await buildFonts(dist("fonts"));
+  buildLetters(dist("letters"));
 }
 
 async function buildModule() {

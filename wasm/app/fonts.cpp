@@ -4,8 +4,6 @@
 #include <cstdio>
 #include <cstring>
 
-#include "core/text/utf8.h"
-
 namespace marey::app {
 namespace {
 
@@ -28,6 +26,17 @@ void merge_icons(const std::vector<std::byte>& file) {
                                              &config);
 }
 
+void merge_other_letters(const ImFontLoader* loader, unsigned weight) {
+  if (loader == nullptr) return;
+  ImFontConfig config;
+  config.MergeMode = true;
+  config.SizePixels = Fonts::kTextSize;
+  config.FontLoader = loader;
+  config.FontLoaderFlags = weight;
+  std::snprintf(config.Name, sizeof config.Name, "other letters");
+  ImGui::GetIO().Fonts->AddFont(&config);
+}
+
 ImFont* add_face(const std::vector<std::byte>& file, const char* name) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   ImFontConfig config;
@@ -48,21 +57,16 @@ void show_missing_letters_as_boxes(ImFont& face) {
 
 }  // namespace
 
-bool can_draw(const Fonts& fonts, std::string_view utf8) {
-  for (std::size_t at = 0; at < utf8.size();) {
-    const char32_t letter = take_utf8(utf8, at).value_or(kReplacement);
-    if (letter > IM_UNICODE_CODEPOINT_MAX || !fonts.text->IsGlyphInFont(static_cast<ImWchar>(letter))) return false;
-  }
-  return true;
-}
-
 Fonts add_fonts(const FontFiles& files) {
   Fonts fonts;
   fonts.text = add_face(files.text, "text");
   merge_icons(files.icons);
+  merge_other_letters(files.other_letters, 400);
   fonts.semibold = add_face(files.semibold, "semibold");
   merge_icons(files.icons);
+  merge_other_letters(files.other_letters, 600);
   fonts.mono = add_face(files.mono, "mono");
+  merge_other_letters(files.other_letters, 400);
   for (ImFont* face : {fonts.text, fonts.semibold, fonts.mono}) show_missing_letters_as_boxes(*face);
   ImGui::GetStyle().FontSizeBase = Fonts::kTextSize;
   return fonts;

@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 namespace marey::app {
@@ -17,6 +16,7 @@ struct Fonts {
   static constexpr float kTextSize = 16.0f;
   static constexpr float kSmallSize = 13.0f;
   static constexpr float kTitleSize = 18.0f;
+  static constexpr float kEmOfLine = 0.83f;
 };
 
 /// File contents (TrueType) handed over by the page; an empty one falls back to ImGui's own font.
@@ -25,10 +25,9 @@ struct FontFiles {
   std::vector<std::byte> semibold;
   std::vector<std::byte> mono;
   std::vector<std::byte> icons;
+  /// Draws the letters that the faces lack; its FontLoaderFlags are the weight, 400 or 600. Without it they are boxes.
+  const ImFontLoader* other_letters = nullptr;
 };
-
-/// Whether the text face has all letters of `utf8`. Those that it lacks show as boxes.
-[[nodiscard]] bool can_draw(const Fonts& fonts, std::string_view utf8);
 
 /// Adds the faces to the current ImGui context. The files may be released afterwards.
 [[nodiscard]] Fonts add_fonts(const FontFiles& files);

@@ -56,6 +56,8 @@ EMSCRIPTEN_KEEPALIVE void marey_resize(PageBinding* binding, float css_width, fl
 /// 1 when a further frame is wanted without new input.
 EMSCRIPTEN_KEEPALIVE int marey_frame(PageBinding* binding, double now_ms) { return binding->page.frame(now_ms) ? 1 : 0; }
 
+EMSCRIPTEN_KEEPALIVE void marey_forget_letters(PageBinding* binding) { binding->page.forget_letters(); }
+
 EMSCRIPTEN_KEEPALIVE void marey_lose_context(PageBinding* binding) { binding->page.lose_context(); }
 
 EMSCRIPTEN_KEEPALIVE int marey_restore_context(PageBinding* binding) {

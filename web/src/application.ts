@@ -43,6 +43,10 @@ export class Application {
       wake: () => this.loop.request(),
       askForFile: () => this.files.ask(),
       loadSample: (id) => void this.loadSample(id),
+      forgetLetters: () => {
+        this.program.forgetLetters();
+        this.loop.request();
+      },
       placeTextInput: (wanted, x, y, height) => this.textField.place(wanted, x, y, height),
     });
     const module = await createModule({

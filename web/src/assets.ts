@@ -22,6 +22,11 @@ export async function readAsset(path: string, progress: Progress = () => {}): Pr
   return readBody(response, progress);
 }
 
+/** Whether this is marey.html, which has nothing beside it. */
+export function isOneFile(): boolean {
+  return document.querySelector("script[data-file]") !== null;
+}
+
 async function readBody(response: Response, progress: Progress): Promise<Uint8Array<ArrayBuffer>> {
   if (!response.body) return new Uint8Array(await response.arrayBuffer());
   const chunks: Uint8Array[] = [];

@@ -11,6 +11,7 @@ declare module "marey-app" {
     _marey_start(page: number): number;
     _marey_resize(page: number, width: number, height: number, devicePixelRatio: number): void;
     _marey_frame(page: number, nowMs: number): number;
+    _marey_forget_letters(page: number): void;
     _marey_lose_context(page: number): void;
     _marey_restore_context(page: number): number;
     _marey_open(page: number, name: number, nameSize: number, bytes: number, byteCount: number): number;

@@ -13,8 +13,19 @@ export interface Host {
   systemPreferences(): SystemPreferences;
   setMouseCursor(cssCursor: string): void;
   openLink(url: string): void;
+  /** Width of a letter of the browser's fonts; lengths in device pixels. */
+  measureLetter(codePoint: number, em: number, weight: number): number;
+  /** Its coverage from 0 to 255, row by row. */
+  drawLetter(codePoint: number, em: number, weight: number, cell: LetterCell): Uint8Array;
   /** Whether a text field has the keyboard, and where its caret is, in CSS pixels. */
   setTextInput(wanted: boolean, x: number, y: number, height: number): void;
+}
+
+/** A square to draw a letter in, and where its pen stands. */
+export interface LetterCell {
+  side: number;
+  penX: number;
+  penY: number;
 }
 
 export interface SystemPreferences {

@@ -1,6 +1,7 @@
 import { copyText } from "./clipboard";
 import { download } from "./files";
-import type { Host, SystemPreferences } from "./host";
+import type { Host, LetterCell, SystemPreferences } from "./host";
+import { LetterPainter } from "./letter_painter";
 import { applyTheme, loadPreferences, storePreferences } from "./preferences";
 
 /** What of the page the program reaches through its host. */
@@ -10,6 +11,8 @@ export interface PageParts {
   wake(): void;
   askForFile(): void;
   loadSample(id: string): void;
+  /** A font has come that letters were waiting for. */
+  forgetLetters(): void;
   placeTextInput(wanted: boolean, x: number, y: number, height: number): void;
 }
 
@@ -24,9 +27,11 @@ export function watchSystemPreferences(changed: () => void): void {
 
 export class PageHost implements Host {
   private readonly status = document.getElementById("status")!;
+  private readonly letters: LetterPainter;
   private dirty = false;
 
   constructor(private readonly parts: PageParts) {
+    this.letters = new LetterPainter(() => parts.forgetLetters());
     window.addEventListener("beforeunload", (event) => {
       if (!this.dirty) return;
       event.preventDefault();
@@ -87,6 +92,14 @@ export class PageHost implements Host {
 
   openLink(url: string): void {
     window.open(url, "_blank", "noopener");
+  }
+
+  measureLetter(codePoint: number, em: number, weight: number): number {
+    return this.letters.measure(codePoint, em, weight);
+  }
+
+  drawLetter(codePoint: number, em: number, weight: number, cell: LetterCell): Uint8Array {
+    return this.letters.draw(codePoint, em, weight, cell);
   }
 
   setTextInput(wanted: boolean, x: number, y: number, height: number): void {

@@ -47,6 +47,11 @@ export class Program {
     return this.module._marey_frame(this.page, nowMs) !== 0;
   }
 
+  /** Has letters of the browser's fonts drawn again. */
+  forgetLetters(): void {
+    this.module._marey_forget_letters(this.page);
+  }
+
   loseContext(): void {
     this.module._marey_lose_context(this.page);
   }

@@ -19,6 +19,12 @@ size_t marey_host_load_preferences(char* buffer, size_t capacity);
 int marey_host_system_preferences();
 void marey_host_set_mouse_cursor(const char* css_cursor, size_t css_cursor_size);
 void marey_host_open_link(const char* url, size_t url_size);
+/// The advance of a letter of the browser's fonts in pixels; `em` in pixels, `weight` 400 or 600.
+double marey_host_measure_letter(unsigned code_point, double em, int weight);
+/// Draws it into `coverage`, side x side bytes from 0 to 255, with its pen at pen_x, pen_y. A font that is still to be
+/// loaded leaves it empty; marey_forget_letters tells when it has come.
+void marey_host_draw_letter(unsigned code_point, double em, int weight, int side, int pen_x, int pen_y,
+                            unsigned char* coverage);
 /// A text field has (1) or has lost (0) the keyboard; its caret stands at x, y with a line of `height`, in CSS pixels.
 void marey_host_set_text_input(int wanted, float css_x, float css_y, float css_height);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "wasm/platform/web/browser_letters.h"
 #include "wasm/platform/web/host.h"
 
 namespace marey::app {
@@ -37,7 +38,7 @@ Page::~Page() {
   ImGui::DestroyContext(imgui_);
 }
 
-Status Page::start(const FontFiles& fonts) {
+Status Page::start(FontFiles fonts) {
   if (Status started = gl_.start(kCanvasSelector); !started) return started;
   imgui_ = ImGui::CreateContext();
   ImGui::GetIO().ConfigMacOSXBehaviors = backend_.system_preferences().apple_keys;
@@ -46,6 +47,7 @@ Status Page::start(const FontFiles& fonts) {
     return Error{DiagnosticCode::InvalidArgument, {}, "The graphics driver refused the page's shaders.", "", ""};
   }
   if (Status started = scene_renderer_.start(); !started) return started;
+  fonts.other_letters = &browser_letters();
   app_ = std::make_unique<App>(backend_, fonts);
   return {};
 }
@@ -76,6 +78,8 @@ void Page::draw() {
   scene_renderer_.draw(app_->scene(), width, height, window_.device_pixel_ratio * app_->css_per_unit());
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
 }
+
+void Page::forget_letters() { forget_drawn_letters(*ImGui::GetIO().Fonts); }
 
 void Page::lose_context() {
   ImGui_ImplOpenGL3_DestroyDeviceObjects();

@@ -24,7 +24,7 @@ class Page {
   Page& operator=(const Page&) = delete;
 
   /// Makes the WebGL context and the App. Precondition: not started.
-  Status start(const FontFiles& fonts);
+  Status start(FontFiles fonts);
 
   /// The rest needs a started page.
   [[nodiscard]] App& app() { return *app_; }
@@ -36,6 +36,9 @@ class Page {
 
   /// Runs and draws one frame. Returns true when a further one is wanted without new input.
   bool frame(double now_ms);
+
+  /// The browser has got a font that letters were waiting for: they are drawn again.
+  void forget_letters();
 
   /// The browser has taken the contents of the WebGL context away: forgets them. No frame until restore_context().
   void lose_context();

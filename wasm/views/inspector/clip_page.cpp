@@ -23,14 +23,12 @@ void draw_content(ViewContext& context) {
   inspector::text_row(context, "Duration", fmt::format("{:.3f} s", motion.duration_s()), true);
 }
 
-/// Returns false where the page lacks letters for it.
-bool draw_names_preview(ViewContext& context, CharacterSet set) {
+void draw_names_preview(ViewContext& context, CharacterSet set) {
   constexpr int kMostNames = 4;
   const std::string text = fmt::format("{}", fmt::join(telling_names(context.session.document.skeleton(), set, kMostNames), ", "));
   ImGui::SetCursorPosX(inspector::kPadding + 12.0f);
   ui::elided_text(context, text, ImGui::GetContentRegionAvail().x - inspector::kPadding, context.theme.dim_text);
   context.items.add_last(fmt::format("inspector.names_in.{}", traits_of(set).id), text);
-  return can_draw(context.fonts, text);
 }
 
 void draw_up_axis(ViewContext& context) {
@@ -83,19 +81,12 @@ void draw_names_choice(ViewContext& context) {
   const Document& document = context.session.document;
   const bool is_open = telling_names(document.skeleton(), CharacterSet::Utf8, 1).size() == 1;
   if (!is_open || document.style().encoding != TextEncoding::Bytes) return;
-  bool all_are_drawn = true;
   for (const CharacterSet set : kCharacterSets) {
     ImGui::SetCursorPosX(kPadding);
     ui::command_button(context, fmt::format("clip.names_in.{}", traits_of(set).id), ui::ButtonLook::Raised, true, "@inspector");
-    all_are_drawn = draw_names_preview(context, set) && all_are_drawn;
+    draw_names_preview(context, set);
     end_row();
   }
-  if (all_are_drawn) return;
-  ImGui::SetCursorPosX(kPadding);
-  ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - kPadding);
-  ui::dim_text(context, "A box is a letter that the page has no font for. Names are kept whole all the same.");
-  ImGui::PopTextWrapPos();
-  end_row();
 }
 
 }  // namespace inspector
