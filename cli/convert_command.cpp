@@ -14,6 +14,7 @@
 #include "cli/table_output.h"
 #include "core/base/counted.h"
 #include "core/base/number_text.h"
+#include "core/bvh/save_options.h"
 #include "core/bvh/writer.h"
 #include "core/interchange/export.h"
 #include "core/motion/resampling.h"
@@ -30,6 +31,8 @@ struct ConvertOptions {
   std::string length_unit;      ///< to be written into the header of a table; empty: none
   std::string frames;           ///< empty: all
   double frames_per_second = 0.0;  ///< 0: as they are
+  std::optional<int> decimals;     ///< of the BVH to write; nothing: as they are
+  std::string line_ends;           ///< "lf", "crlf"; empty: as they are
   std::string target;              ///< id of the program to write for; empty: none
   std::string reference_pose;      ///< "yes", "no"; empty: as the target wants it
   bool with_report = false;        ///< print as JSON what writing for the target did
@@ -70,26 +73,34 @@ std::optional<std::string> output_format(const ConvertOptions& options) {
   return std::nullopt;
 }
 
+/// The frames to take; nothing if the clip has not so many, which has been reported.
+std::optional<FrameRange> wanted_frames(const ConvertOptions& options, const Motion& motion) {
+  const auto selection = parse_frame_selection(options.frames);
+  if (!selection) return FrameRange{0, motion.frame_count()};
+  if (selection->last <= motion.frame_count()) return FrameRange{selection->first - 1, selection->last - selection->first + 1};
+  report_error(options.input.file, {},
+               fmt::format("The clip has {}, so {} cannot be taken.", counted(motion.frame_count(), "frame"), options.frames));
+  return std::nullopt;
+}
+
 /// Trims and resamples the motion as asked; false if that cannot be done, which has been reported.
-bool apply_options(const ConvertOptions& options, BvhClip& clip) {
-  const int frame_count = clip.motion.frame_count();
-  if (const auto selection = parse_frame_selection(options.frames)) {
-    if (selection->last > frame_count) {
-      report_error(options.input.file, {},
-                   fmt::format("The clip has {}, so {} cannot be taken.", counted(frame_count, "frame"), options.frames));
-      return false;
-    }
-    clip.motion = trimmed(clip.motion, {selection->first - 1, selection->last - selection->first + 1});
+bool apply_options(const ConvertOptions& options, FrameRange frames, BvhClip& clip) {
+  if (frames.count < clip.motion.frame_count()) clip.motion = trimmed(clip.motion, frames);
+  if (options.frames_per_second <= 0.0) return true;
+  Result<Motion> motion = resampled(clip.skeleton, clip.motion, options.frames_per_second);
+  if (!motion) {
+    report_usage_error(fmt::format("--fps: {}", motion.error().message));
+    return false;
   }
-  if (options.frames_per_second > 0.0) {
-    Result<Motion> motion = resampled(clip.skeleton, clip.motion, options.frames_per_second);
-    if (!motion) {
-      report_usage_error(fmt::format("--fps: {}", motion.error().message));
-      return false;
-    }
-    clip.motion = std::move(*motion);
-  }
+  clip.motion = std::move(*motion);
   return true;
+}
+
+SaveOptions save_options(const ConvertOptions& options) {
+  SaveOptions save;
+  save.decimals = options.decimals;
+  if (!options.line_ends.empty()) save.line_end = options.line_ends == "lf" ? LineEnd::Lf : LineEnd::CrLf;
+  return save;
 }
 
 std::string check_target(const std::string& text) {
@@ -108,6 +119,7 @@ bool check_options(const ConvertOptions& options, const std::string& format) {
     problem = "--json wants standard output for itself; name a file to write.";
   }
   if (!options.figure.empty() && !is_table(options)) problem = "--skeleton goes with a table to read.";
+  if (format != "bvh" && save_options(options) != SaveOptions{}) problem = "--decimals and --line-ends go with BVH to write.";
   if (!options.length_unit.empty() && format != "csv") problem = "--units goes with a table to write.";
   if (problem != nullptr) report_usage_error(problem);
   return problem == nullptr;
@@ -122,10 +134,18 @@ ExitCode write_for_target(const ConvertOptions& options, const BvhClip& clip) {
     report_error(options.input.file, exported.error());
     return ExitCode::BadInput;
   }
-  if (!write_bytes(options.output, write_exported(*exported))) return ExitCode::BadInput;
+  if (!write_bytes(options.output, write_exported(*exported, save_options(options)))) return ExitCode::BadInput;
   if (options.with_report) return write_bytes("-", export_json(target, *exported)) ? ExitCode::Done : ExitCode::BadInput;
   for (const ExportChange& change : exported->changes) report_note(options.input.file, {}, change.message);
   return ExitCode::Done;
+}
+
+/// The rows keep the text that they have in the file.
+ExitCode write_rows(const ConvertOptions& options, const BvhClip& clip, FrameRange frames) {
+  SaveOptions save = save_options(options);
+  if (frames.count < clip.motion.frame_count()) save.frames = frames;
+  return write_bytes(options.output, write_bvh(clip.skeleton, clip.motion, clip.style, save)) ? ExitCode::Done
+                                                                                             : ExitCode::BadInput;
 }
 
 ExitCode run_convert(const ConvertOptions& options) {
@@ -133,10 +153,15 @@ ExitCode run_convert(const ConvertOptions& options) {
   if (!format || !check_options(options, *format)) return ExitCode::BadInput;
   std::optional<BvhClip> clip =
       is_table(options) ? read_table(options.input, options.figure) : read_clip_for_use(options.input);
-  if (!clip || !apply_options(options, *clip)) return ExitCode::BadInput;
+  if (!clip) return ExitCode::BadInput;
+  const std::optional<FrameRange> frames = wanted_frames(options, clip->motion);
+  if (!frames) return ExitCode::BadInput;
+  const bool keeps_rows = *format == "bvh" && options.target.empty() && options.frames_per_second <= 0.0;
+  if (keeps_rows) return write_rows(options, *clip, *frames);
+  if (!apply_options(options, *frames, *clip)) return ExitCode::BadInput;
   if (!options.target.empty()) return write_for_target(options, *clip);
   if (*format == "csv") return write_channel_table(options.output, *clip, options.length_unit);
-  const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style);
+  const std::string text = write_bvh(clip->skeleton, clip->motion, clip->style, save_options(options));
   return write_bytes(options.output, text) ? ExitCode::Done : ExitCode::BadInput;
 }
 
@@ -156,6 +181,10 @@ void add_convert_command(CLI::App& program, ExitCode& exit_code) {
   add_units(*command, options->length_unit);
   command->add_option("--frames", options->frames, "FIRST:LAST, counted from 1, both included")->check(check_frames);
   command->add_option("--fps", options->frames_per_second, "Frames per second to resample to")->check(check_rate);
+  command->add_option("--decimals", options->decimals, "Decimals of the angles, positions and offsets of a BVH file to write")
+      ->check(CLI::Range(0, kMostSavedDecimals));
+  command->add_option("--line-ends", options->line_ends, "Line ends of a BVH file to write; by default as they are")
+      ->check(CLI::IsMember({"lf", "crlf"}));
   command->add_option("--for", options->target, "Write BVH as a program wants it, at a cost; marey targets lists them")
       ->check(check_target);
   command->add_option("--reference-pose", options->reference_pose,

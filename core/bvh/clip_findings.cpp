@@ -9,6 +9,7 @@
 #include <span>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 #include "core/base/counted.h"
 #include "core/base/index.h"
@@ -159,9 +160,20 @@ int vote_of(const Skeleton& skeleton, const Motion& motion, JointIndex joint) {
   return sum.from_offset < sum.from_zero ? 1 : sum.from_offset > sum.from_zero ? -1 : 0;
 }
 
+bool rests_at_zero(const Skeleton& skeleton, const Motion& motion, JointIndex joint) {
+  for (int i = 0; i < skeleton.channel_count(joint); ++i) {
+    const ChannelIndex channel = skeleton.first_channel(joint) + i;
+    const std::span<const double> samples = motion.channel_samples(channel);
+    if (!is_position(skeleton.channel(channel).kind)) continue;
+    if (std::any_of(samples.begin(), samples.end(), [](double sample) { return sample != 0.0; })) return false;
+  }
+  return true;
+}
+
 struct Votes {
   int replace = 0;
   int add = 0;
+  std::vector<JointIndex> resting;  // those for adding whose positions are all 0
   NodeIndex first_node = kNoParent;
 };
 
@@ -172,9 +184,32 @@ Votes count_votes(const Skeleton& skeleton, const Motion& motion) {
     const int vote = vote_of(skeleton, motion, joint);
     votes.replace += vote > 0 ? 1 : 0;
     votes.add += vote < 0 ? 1 : 0;
+    if (vote < 0 && rests_at_zero(skeleton, motion, joint)) votes.resting.push_back(joint);
     if (vote != 0 && votes.first_node == kNoParent) votes.first_node = skeleton.node_of(joint);
   }
   return votes;
+}
+
+PositionRule rule_of(const Votes& votes) {
+  if (votes.replace > 0 && votes.add > 0 && size_of(votes.resting) == votes.add) return PositionRule::PerJoint;
+  return votes.add > votes.replace ? PositionRule::Add : PositionRule::Replace;
+}
+
+void note_rule_for_all(const Votes& votes, PositionRule rule, std::size_t place, Report& report) {
+  if (votes.add > 0 && votes.replace > 0) {
+    report.add(DiagnosticCode::PositionsAmbiguous, place,
+               fmt::format("The positions of {} look as if they replace OFFSET, those of {} as if they add to it; they {} "
+                           "for all.",
+                           counted(votes.replace, "joint"), counted(votes.add, "joint"),
+                           rule == PositionRule::Add ? "are added to it" : "replace it"));
+  } else if (rule == PositionRule::Add) {
+    report.add(DiagnosticCode::PositionsAddToOffset, place,
+               fmt::format("The position channels of {} stay near 0; they are added to OFFSET.", counted(votes.add, "joint")));
+  } else {
+    report.add_each(DiagnosticCode::PositionsReplaceOffset, place,
+                    fmt::format("The position channels of {} below the root stay near OFFSET; they replace it.",
+                                counted(votes.replace, "joint")));
+  }
 }
 
 void note_root_offset(const Hierarchy& hierarchy, Report& report) {
@@ -241,26 +276,21 @@ void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& rep
   }
 }
 
-PositionRule find_position_rule(const Hierarchy& hierarchy, const Motion& motion, Report& report) {
+PositionRule settle_position_rule(Hierarchy& hierarchy, const Motion& motion, Report& report) {
   const Votes votes = count_votes(hierarchy.skeleton, motion);
-  const PositionRule rule = votes.add > votes.replace ? PositionRule::Add : PositionRule::Replace;
-  if (rule == PositionRule::Replace) note_root_offset(hierarchy, report);
+  const PositionRule rule = rule_of(votes);
+  if (rule != PositionRule::Add) note_root_offset(hierarchy, report);
   if (votes.first_node == kNoParent) return rule;
   const std::size_t place = hierarchy.node_places[idx(votes.first_node)];
-  if (votes.add > 0 && votes.replace > 0) {
-    report.add(DiagnosticCode::PositionsAmbiguous, place,
-               fmt::format("The positions of {} look as if they replace OFFSET, those of {} as if they add to it; they {} "
-                           "for all.",
-                           counted(votes.replace, "joint"), counted(votes.add, "joint"),
-                           rule == PositionRule::Add ? "are added to it" : "replace it"));
-  } else if (rule == PositionRule::Add) {
-    report.add(DiagnosticCode::PositionsAddToOffset, place,
-               fmt::format("The position channels of {} stay near 0; they are added to OFFSET.", counted(votes.add, "joint")));
-  } else {
-    report.add_each(DiagnosticCode::PositionsReplaceOffset, place,
-                    fmt::format("The position channels of {} below the root stay near OFFSET; they replace it.",
-                                counted(votes.replace, "joint")));
+  if (rule != PositionRule::PerJoint) {
+    note_rule_for_all(votes, rule, place, report);
+    return rule;
   }
+  for (const JointIndex joint : votes.resting) hierarchy.skeleton.set_positions_add(joint, true);
+  report.add(DiagnosticCode::PositionsAmbiguous, place,
+             fmt::format("The position channels of {} replace OFFSET; those of {} are all 0 beside an OFFSET and are added "
+                         "to it.",
+                         counted(votes.replace, "joint"), counted(votes.add, "joint")));
   return rule;
 }
 

@@ -18,7 +18,8 @@ void note_tree_habits(const Hierarchy& hierarchy, Report& report);
 void settle_open_offsets(Hierarchy& hierarchy, const Motion& motion, Report& report);
 
 /// What the position channels of the joints mean. Joints below the root vote: values nearer to OFFSET replace it, values
-/// nearer to 0 add to it. Reported wherever the two rules would differ.
-[[nodiscard]] PositionRule find_position_rule(const Hierarchy& hierarchy, const Motion& motion, Report& report);
+/// nearer to 0 add to it. Where there are both and those for adding are all exactly 0, each joint gets its own way and is
+/// marked so in the skeleton; else the majority decides. Reported wherever the rules would differ.
+[[nodiscard]] PositionRule settle_position_rule(Hierarchy& hierarchy, const Motion& motion, Report& report);
 
 }  // namespace marey

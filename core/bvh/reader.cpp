@@ -102,7 +102,7 @@ BvhClip BvhReader::read() {
   settle_open_offsets(hierarchy_, clip_.motion, report_);
   keep_header();
   note_tree_habits(hierarchy_, report_);
-  clip_.position_rule = find_position_rule(hierarchy_, clip_.motion, report_);
+  clip_.position_rule = settle_position_rule(hierarchy_, clip_.motion, report_);
   clip_.names_in = options_.names_in ? *options_.names_in : find_character_set_of_names(hierarchy_, report_);
   clip_.skeleton = std::move(hierarchy_.skeleton);
   clip_.skeleton.read_names_in(clip_.names_in);

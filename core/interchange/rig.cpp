@@ -31,7 +31,7 @@ void take_position(const Clip& clip, ChannelIndex channel, RigJoint& joint) {
   const int axis = static_cast<int>(axis_of(clip.skeleton.channel(channel).kind));
   RigJoint::Curve& curve = joint.positions[idx(axis)];
   RigJoint::Curve samples = tidy_curve(clip.motion.channel_samples(channel));
-  if (clip.settings.position_rule == PositionRule::Add) {
+  if (clip.skeleton.positions_add(clip.skeleton.channel(channel).joint, clip.settings.position_rule)) {
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] += curve.empty() ? joint.offset[axis] : curve[i];
   }
   curve = std::move(samples);

@@ -23,10 +23,9 @@ bool starts_at_rest(const Rig& rig) {
 
 Motion rest_frame(const Clip& clip, ExportChanges& changes) {
   Motion motion(clip.motion.channel_count(), 1, clip.motion.frame_time_s());
-  const bool replaces = clip.settings.position_rule == PositionRule::Replace;
   for (ChannelIndex index = 0; index < motion.channel_count(); ++index) {
     const Channel& channel = clip.skeleton.channel(index);
-    if (!replaces || !is_position(channel.kind)) continue;
+    if (!is_position(channel.kind) || clip.skeleton.positions_add(channel.joint, clip.settings.position_rule)) continue;
     motion.channel_samples(index)[0] = clip.skeleton.offset(channel.joint)[static_cast<int>(axis_of(channel.kind))];
   }
   changes.push_back({ExportChangeKind::PoseAdded, false, 1, "The clip has no frames; the rest pose is written as one."});

@@ -52,11 +52,10 @@ LaneVector rotated(const LaneQuat& q, const LaneVector& v) {
 }  // namespace
 
 FrameBlock::FrameBlock(const Skeleton& skeleton, const Motion& motion, PositionRule rule,
-                       std::span<const NodeIndex> nodes)
-    : rule_(rule) {
+                       std::span<const NodeIndex> nodes) {
   steps_.reserve(nodes.size());
   drives_.reserve(idx(skeleton.channel_count()));
-  for (NodeIndex node : nodes) add_step(skeleton, motion, node);
+  for (NodeIndex node : nodes) add_step(skeleton, motion, rule, node);
   int deepest = 0;
   for (const Step& step : steps_) deepest = std::max(deepest, step.level);
   ancestors_.resize(idx(deepest) + 1);
@@ -70,9 +69,10 @@ FrameBlock::FrameBlock(const Skeleton& skeleton, const Motion& motion, PositionR
         return all;
       }()) {}
 
-void FrameBlock::add_step(const Skeleton& skeleton, const Motion& motion, NodeIndex index) {
+void FrameBlock::add_step(const Skeleton& skeleton, const Motion& motion, PositionRule rule, NodeIndex index) {
   const Node& node = skeleton.node(index);
-  Step step{index, skeleton.depth(node.joint) + 1, !node.is_end_site, node.offset, {}, {}};
+  const bool adds = skeleton.positions_add(node.joint, rule);
+  Step step{index, skeleton.depth(node.joint) + 1, !node.is_end_site, adds, node.offset, {}, {}};
   if (node.is_end_site) {
     ++step.level;
   } else {
@@ -105,7 +105,7 @@ void FrameBlock::place(const Step& step, FrameRange frames) {
     for (const Drive& move : drives(step.moves)) {
       const Lanes sample = load_samples(move.samples + frames.first + i, frames.count - i);
       Lanes& coordinate = local[static_cast<int>(move.axis)];
-      coordinate = rule_ == PositionRule::Add ? coordinate + sample : sample;
+      coordinate = step.positions_add ? coordinate + sample : sample;
     }
     const LaneQuat q = {load(parent.w, i), load(parent.x, i), load(parent.y, i), load(parent.z, i)};
     const LaneVector moved = rotated(q, {local[0], local[1], local[2]});

@@ -64,12 +64,13 @@ class FrameBlock {
     NodeIndex node;
     int level;  // place of the node in ancestors_; that of its parent is level - 1
     bool turns_children;
+    bool positions_add;
     glm::dvec3 offset;
     Drives moves;
     Drives turns;
   };
 
-  void add_step(const Skeleton& skeleton, const Motion& motion, NodeIndex node);
+  void add_step(const Skeleton& skeleton, const Motion& motion, PositionRule rule, NodeIndex node);
   template <class Wanted>
   Drives add_drives(const Skeleton& skeleton, const Motion& motion, JointIndex joint, Wanted wanted);
   [[nodiscard]] std::span<const Drive> drives(Drives part) const {
@@ -78,7 +79,6 @@ class FrameBlock {
   void place(const Step& step, FrameRange frames);
   void turn(const Step& step, FrameRange frames);
 
-  PositionRule rule_;
   std::vector<Drive> drives_;
   std::vector<Step> steps_;
   std::vector<JointColumns> ancestors_;  // [0] is the world itself

@@ -12,12 +12,13 @@ namespace {
 
 template <class SampleOf>
 glm::dvec3 local_translation(const Skeleton& skeleton, JointIndex joint, PositionRule rule, SampleOf sample_of) {
+  const bool adds = skeleton.positions_add(joint, rule);
   glm::dvec3 translation = skeleton.offset(joint);
   ChannelIndex index = skeleton.first_channel(joint);
   for (const Channel& channel : skeleton.channels(joint)) {
     if (is_position(channel.kind)) {
       double& component = translation[static_cast<int>(axis_of(channel.kind))];
-      component = rule == PositionRule::Add ? component + sample_of(index) : sample_of(index);
+      component = adds ? component + sample_of(index) : sample_of(index);
     }
     ++index;
   }

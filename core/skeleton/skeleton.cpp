@@ -39,6 +39,11 @@ std::vector<std::string> telling_names(const Skeleton& skeleton, CharacterSet se
   return names;
 }
 
+bool has_joints_that_add(const Skeleton& skeleton) {
+  const auto nodes = skeleton.nodes();
+  return std::any_of(nodes.begin(), nodes.end(), [](const Node& node) { return node.positions_add; });
+}
+
 std::string node_label(const Skeleton& skeleton, NodeIndex node) {
   const Node& n = skeleton.node(node);
   if (!n.is_end_site) return n.name;

@@ -8,6 +8,7 @@
 
 #include "core/base/index.h"
 #include "core/skeleton/channel.h"
+#include "core/skeleton/position_rule.h"
 #include "core/text/character_set.h"
 
 namespace marey {
@@ -28,6 +29,7 @@ struct Node {
   glm::dvec3 offset{0.0};  ///< OFFSET in file units, from `parent`
   std::string name;        ///< joint name, valid UTF-8; for an end site the name behind "End Site", mostly empty
   std::string name_bytes;  ///< the same as it stands in the file, with blanks at its end
+  bool positions_add = false;  ///< of a joint: see Skeleton::positions_add
   friend bool operator==(const Node&, const Node&) = default;
 };
 
@@ -72,6 +74,14 @@ class Skeleton {
   /// Moves a joint or end site in the rest pose. Finite values only.
   void set_offset(NodeIndex node, const glm::dvec3& offset_file_units) { nodes_[idx(node)].offset = offset_file_units; }
 
+  /// Whether PositionRule::PerJoint has the position channels of a joint add to its OFFSET.
+  [[nodiscard]] bool positions_add(JointIndex joint) const { return nodes_[idx(node_of(joint))].positions_add; }
+  void set_positions_add(JointIndex joint, bool add) { nodes_[idx(node_of(joint))].positions_add = add; }
+  /// What `rule` comes to for a joint: whether its position channels add to its OFFSET; else they replace it.
+  [[nodiscard]] bool positions_add(JointIndex joint, PositionRule rule) const {
+    return rule == PositionRule::Add || (rule == PositionRule::PerJoint && positions_add(joint));
+  }
+
   /// Reads the bytes of all names in another character set.
   void read_names_in(CharacterSet set);
 
@@ -94,6 +104,9 @@ class Skeleton {
 
 /// At most `most` names that are not plain ASCII, as they read in `set`: what a person needs to choose one.
 [[nodiscard]] std::vector<std::string> telling_names(const Skeleton& skeleton, CharacterSet set, int most);
+
+/// Whether PositionRule::PerJoint differs from PositionRule::Replace.
+[[nodiscard]] bool has_joints_that_add(const Skeleton& skeleton);
 
 /// Readable name of a node: the joint's name; for an end site "<joint>_end" (then "_end2" ... for further ones).
 [[nodiscard]] std::string node_label(const Skeleton& skeleton, NodeIndex node);

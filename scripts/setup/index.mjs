@@ -13,9 +13,11 @@ export function setUpNative() {
   needSystemPackages(["native"]);
 }
 
-export function setUpBench() {
+export async function setUpBench() {
   needNode();
-  needSystemPackages(["native", "bench"]);
+  needSystemPackages(["native", "page", "bench", "test"]);
+  needNpmPackages();
+  await needImgui();
 }
 
 export async function setUpPage() {
@@ -25,9 +27,5 @@ export async function setUpPage() {
   await needImgui();
 }
 
-export async function setUpTests() {
-  needNode();
-  needSystemPackages(["native", "page", "bench", "test"]);
-  needNpmPackages();
-  await needImgui();
-}
+/** The tests need what the benchmarks need. */
+export const setUpTests = setUpBench;

@@ -5,64 +5,26 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
-#include <random>
-#include <string>
 #include <vector>
 
 #include "core/kinematics/forward_kinematics.h"
 #include "core/kinematics/pose.h"
 #include "core/math/sincos.h"
-#include "core/skeleton/skeleton_builder.h"
+#include "tests/bench/bench_clip.h"
 
 namespace marey {
 namespace {
 
-constexpr int kJoints = 60;
-constexpr int kFrames = 20'000;
+using bench::clip;
 
-// Ten limbs of six joints below one root, as many joints as a full hand-and-face-less capture has.
-Skeleton make_skeleton() {
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> length(-10.0, 10.0);
-  SkeletonBuilder builder;
-  for (int joint = 0; joint < kJoints; ++joint) {
-    while (joint > 0 && builder.open_depth() > (joint - 1) % 6 + 1) builder.close_joint();
-    builder.open_joint("joint" + std::to_string(joint), {length(random), length(random), length(random)});
-    if (joint == 0) {
-      for (auto kind : {ChannelKind::Xposition, ChannelKind::Yposition, ChannelKind::Zposition}) builder.add_channel(kind);
-    }
-    for (auto kind : {ChannelKind::Zrotation, ChannelKind::Xrotation, ChannelKind::Yrotation}) builder.add_channel(kind);
-  }
-  while (builder.open_depth() > 0) builder.close_joint();
-  return builder.build().value();
-}
-
-Motion make_motion(const Skeleton& skeleton) {
-  std::mt19937 random(2);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  Motion motion(skeleton.channel_count(), kFrames, 1.0 / 120.0);
-  for (ChannelIndex channel = 0; channel < motion.channel_count(); ++channel) {
-    const double amplitude = 90.0 * unit(random);
-    const double phase = 3.0 * unit(random);
-    const auto samples = motion.channel_samples(channel);
-    for (FrameIndex i = 0; i < kFrames; ++i) samples[idx(i)] = amplitude * std::sin(0.03 * i + phase);
-  }
-  return motion;
-}
-
-struct GeneratedClip {
-  Skeleton skeleton = make_skeleton();
-  Motion motion = make_motion(skeleton);
-  std::vector<float> positions = std::vector<float>(idx(skeleton.node_count()) * 3 * kFrames);
-};
-
-GeneratedClip& generated_clip() {
-  static GeneratedClip clip;
-  return clip;
+/// Room for the positions of all nodes in all frames.
+std::vector<float>& position_room() {
+  static std::vector<float> positions(idx(clip().skeleton.node_count()) * 3 * idx(clip().motion.frame_count()));
+  return positions;
 }
 
 void count_joint_frames(benchmark::State& state, int frames) {
-  state.SetItemsProcessed(state.iterations() * kJoints * frames);
+  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) * clip().skeleton.joint_count() * frames);
 }
 
 glm::dvec3 axis_vector(Axis axis) {
@@ -72,7 +34,7 @@ glm::dvec3 axis_vector(Axis axis) {
 }
 
 // Offset and channels of a joint as one matrix, in the way of a first program.
-glm::dmat4 local_matrix(const GeneratedClip& clip, JointIndex joint, FrameIndex frame) {
+glm::dmat4 local_matrix(const BvhClip& clip, JointIndex joint, FrameIndex frame) {
   glm::dvec3 translation = clip.skeleton.offset(joint);
   glm::dmat4 rotation(1.0);
   ChannelIndex index = clip.skeleton.first_channel(joint);
@@ -88,12 +50,12 @@ glm::dmat4 local_matrix(const GeneratedClip& clip, JointIndex joint, FrameIndex 
 }
 
 void glm_matrices(benchmark::State& state) {
-  GeneratedClip& clip = generated_clip();
-  std::vector<glm::dmat4> world(kJoints);
+  const BvhClip& clip = bench::clip();
+  std::vector<glm::dmat4> world(idx(clip.skeleton.joint_count()));
   for (auto _ : state) {
-    float* out = clip.positions.data();
-    for (FrameIndex frame = 0; frame < kFrames; ++frame) {
-      for (JointIndex joint = 0; joint < kJoints; ++joint) {
+    float* out = position_room().data();
+    for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
+      for (JointIndex joint = 0; joint < clip.skeleton.joint_count(); ++joint) {
         const JointIndex parent = clip.skeleton.parent(joint);
         const glm::dmat4 local = local_matrix(clip, joint, frame);
         world[idx(joint)] = parent == kNoParent ? local : world[idx(parent)] * local;
@@ -101,7 +63,7 @@ void glm_matrices(benchmark::State& state) {
       }
     }
   }
-  count_joint_frames(state, kFrames);
+  count_joint_frames(state, clip.motion.frame_count());
 }
 
 struct QuaternionFrame {
@@ -109,7 +71,7 @@ struct QuaternionFrame {
   glm::dvec3 position;
 };
 
-QuaternionFrame local_frame(const GeneratedClip& clip, JointIndex joint, FrameIndex frame) {
+QuaternionFrame local_frame(const BvhClip& clip, JointIndex joint, FrameIndex frame) {
   QuaternionFrame local{glm::dquat(1.0, 0.0, 0.0, 0.0), clip.skeleton.offset(joint)};
   ChannelIndex index = clip.skeleton.first_channel(joint);
   for (const Channel& channel : clip.skeleton.channels(joint)) {
@@ -124,12 +86,12 @@ QuaternionFrame local_frame(const GeneratedClip& clip, JointIndex joint, FrameIn
 }
 
 void glm_quaternions(benchmark::State& state) {
-  GeneratedClip& clip = generated_clip();
-  std::vector<QuaternionFrame> world(kJoints);
+  const BvhClip& clip = bench::clip();
+  std::vector<QuaternionFrame> world(idx(clip.skeleton.joint_count()));
   for (auto _ : state) {
-    float* out = clip.positions.data();
-    for (FrameIndex frame = 0; frame < kFrames; ++frame) {
-      for (JointIndex joint = 0; joint < kJoints; ++joint) {
+    float* out = position_room().data();
+    for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
+      for (JointIndex joint = 0; joint < clip.skeleton.joint_count(); ++joint) {
         const JointIndex parent = clip.skeleton.parent(joint);
         QuaternionFrame own = local_frame(clip, joint, frame);
         if (parent != kNoParent) {
@@ -141,21 +103,21 @@ void glm_quaternions(benchmark::State& state) {
       }
     }
   }
-  count_joint_frames(state, kFrames);
+  count_joint_frames(state, clip.motion.frame_count());
 }
 
 void marey_clip(benchmark::State& state) {
-  GeneratedClip& clip = generated_clip();
+  const BvhClip& clip = bench::clip();
   for (auto _ : state) {
-    compute_world_positions(clip.skeleton, clip.motion, {0, kFrames}, PositionRule::Replace,
-                            std::span<float>(clip.positions));
+    compute_world_positions(clip.skeleton, clip.motion, {0, clip.motion.frame_count()}, PositionRule::Replace,
+                            std::span<float>(position_room()));
   }
-  count_joint_frames(state, kFrames);
+  count_joint_frames(state, clip.motion.frame_count());
 }
 
 // Frames `step` apart: 1 is playing, a large step is scrubbing, where no sample is in the cache.
 void marey_single_poses(benchmark::State& state, int step) {
-  const GeneratedClip& clip = generated_clip();
+  const BvhClip& clip = bench::clip();
   LocalPose local;
   WorldPose world;
   local.resize(clip.skeleton);
@@ -165,16 +127,16 @@ void marey_single_poses(benchmark::State& state, int step) {
     compute_local_pose(clip.skeleton, clip.motion, frame, PositionRule::Replace, local);
     compute_world_pose(clip.skeleton, local, world);
     benchmark::DoNotOptimize(world.world_positions.data());
-    frame = (frame + step) % kFrames;
+    frame = (frame + step) % clip.motion.frame_count();
   }
   count_joint_frames(state, 1);
 }
 
 void marey_node_path(benchmark::State& state) {
-  GeneratedClip& clip = generated_clip();
+  const BvhClip& clip = bench::clip();
   for (auto _ : state) {
-    compute_node_path(clip.skeleton, clip.motion, {0, kFrames}, PositionRule::Replace, kJoints - 1,
-                      std::span(clip.positions).first(3 * kFrames));
+    compute_node_path(clip.skeleton, clip.motion, {0, clip.motion.frame_count()}, PositionRule::Replace, clip.skeleton.node_count() - 1,
+                      std::span(position_room()).first(3 * idx(clip.motion.frame_count())));
   }
 }
 

@@ -250,6 +250,24 @@ describe("marey convert", () => {
     assert.deepEqual(readBvh(converted("one.bvh", ["--frames", "23:23"])).rows, [clip.rows[22]]);
   });
 
+  test("--decimals and --line-ends change just these", () => {
+    assert.equal(converted("crlf.bvh", ["--line-ends", "crlf"]), text("giant-swing").replaceAll("\n", "\r\n"));
+    const before = readBvh(text("giant-swing"));
+    const after = readBvh(converted("short.bvh", ["--decimals", "1"]));
+    after.rows.forEach((row, frame) => row.forEach((value, channel) => {
+      assert.equal(value, Number(value.toFixed(1)));
+      assert.ok(Math.abs(value - before.rows[frame][channel]) <= 0.05 + 1e-12, `frame ${frame + 1}, channel ${channel}`);
+    }));
+    refused(["convert", swing, join(folder, "never.csv"), "--decimals", "2"], /--decimals and --line-ends go with BVH/);
+    refused(["convert", swing, join(folder, "never.bvh"), "--decimals", "16"], /decimals/);
+  });
+
+  test("--frames keeps the text of the rows", () => {
+    const file = scratch("odd-rows.bvh", smallClip({ rows: ["1.50", "+3.0\t", "  5.000"] }));
+    const part = succeed(["convert", file, "-", "--frames", "2:3"]);
+    assert.equal(part, smallClip({ frames: 2, rows: ["+3.0\t", "  5.000"] }));
+  });
+
   test("--fps resamples at the given rate over the same time", () => {
     const clip = readBvh(text("walk"));
     const out = join(folder, "resampled.bvh");

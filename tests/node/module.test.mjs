@@ -132,6 +132,64 @@ Frame Time: 0.1
     assert.throws(() => (clip.positions = "both"), { code: "invalid_argument" });
     assert.equal(new TextDecoder().decode(clip.write()), text);
   });
+
+  test("mean what each joint's numbers say where these differ", () => {
+    const joint = (name) => `JOINT ${name} { OFFSET 0 10 0 CHANNELS 1 Yposition End Site { OFFSET 0 5 0 } }`;
+    const clip = marey.parse(`HIERARCHY ROOT Root { OFFSET 0 0 0 CHANNELS 1 Yposition ${joint("Still")} ${joint("Slide")} }
+MOTION Frames: 1 Frame Time: 0.1
+0 0 11
+`);
+    assert.equal(clip.positions, "per_joint");
+    assert.deepEqual([...clip.worldPositions()].filter((_, i) => i % 3 === 1), [0, 10, 15, 11, 16]);
+    clip.positions = "replace";
+    assert.deepEqual([...clip.worldPositions()].filter((_, i) => i % 3 === 1), [0, 0, 5, 11, 16]);
+  });
+});
+
+describe("tables", () => {
+  const text = (bytes) => new TextDecoder().decode(bytes);
+
+  test("of channels come back bit for bit", () => {
+    const clip = marey.parse(sample("walk"));
+    const again = marey.parseTable(clip.writeTable("channels"), { figure: clip });
+    for (let i = 0; i < clip.channelCount; i++) assert.deepEqual(again.channel(i), clip.channel(i));
+    assert.deepEqual(again.write(), clip.write());
+  });
+
+  test("of positions carry units, and become points", () => {
+    const clip = marey.parse(arm);
+    const table = text(clip.writeTable("positions", { lengthUnit: "cm", first: 1, count: 2 }));
+    const [header, ...rows] = table.trim().split("\n");
+    assert.match(header, /^frame,time\[s\],Shoulder\.x\[cm\],/);
+    assert.deepEqual(rows.map((row) => row.split(",")[0]), ["2", "3"]);
+    const points = marey.parseTable(table);
+    assert.deepEqual(points.joints.map(({ name }) => name), ["Shoulder", "Elbow", "Elbow_end"]);
+    near(points.worldPositions(0, 1), [...clip.worldPositions(1, 1)]);
+  });
+
+  test("are refused with what they cannot have", () => {
+    const clip = marey.parse(arm);
+    const calls = [() => clip.writeTable("angles"), () => clip.writeTable("channels", { lengthUnit: "mile" }),
+      () => clip.writeTable("channels", { first: 2, count: 2 }), () => marey.parseTable("", { figure: {} })];
+    for (const call of calls) assert.throws(call, { code: "invalid_argument" });
+    assert.throws(() => marey.parseTable("frame,time,Shoulder.Zrotation\n1,0,5\n"), { code: "table_kind", line: 1 });
+  });
+});
+
+describe("a copy for another program", () => {
+  test("says what it costs and shows the same movement", () => {
+    const clip = marey.parse(arm.replace("ROOT Shoulder", "ROOT Left Shoulder"));
+    const { bytes, changes, names, largestMove } = clip.writeFor("blender", { referencePose: false, lineEnds: "crlf" });
+    assert.ok(changes.some(({ kind, message }) => kind === "positions_added" && message.length > 20));
+    assert.deepEqual(names.map(({ before, after }) => [before, after]), [["Left Shoulder", "Left_Shoulder"]]);
+    assert.ok(largestMove < 1e-9);
+    assert.match(new TextDecoder().decode(bytes), /Left_Shoulder\r\n/);
+    near(marey.parse(bytes).worldPositions(), [...clip.worldPositions()]);
+  });
+
+  test("is refused for a program that is not known", () => {
+    assert.throws(() => marey.parse(arm).writeFor("abacus"), { code: "invalid_argument" });
+  });
 });
 
 describe("a changed channel", () => {

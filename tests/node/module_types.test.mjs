@@ -10,7 +10,7 @@ const root = fileURLToPath(new URL("../../", import.meta.url));
 const folder = join(root, "build", "module_types");
 
 const user = `
-import { createMarey, MareyError, type Clip, type Diagnostic, type Joint, type Marey } from "../../dist/module/marey.js";
+import { createMarey, MareyError, type Clip, type Diagnostic, type Exported, type Joint, type Marey } from "../../dist/module/marey.js";
 const marey: Marey = await createMarey();
 const clip: Clip = marey.parse(new Uint8Array(), { strict: false });
 const joints: readonly Joint[] = clip.joints;
@@ -21,9 +21,12 @@ const samples: Float64Array = clip.channel(0);
 clip.setChannel(0, samples);
 const positions: Float32Array = clip.worldPositions(0, 1);
 const bytes: Uint8Array = clip.write();
+const table: Uint8Array = clip.writeTable("positions", { lengthUnit: "cm", first: 0, count: 1 });
+const { changes, largestMove }: Exported = clip.writeFor("blender", { referencePose: false });
+const again: Clip = marey.parseTable(table, { figure: clip });
 clip.dispose();
 try { marey.parse("", {}); } catch (error) { if (error instanceof MareyError) console.log(error.code, error.line, error.column); }
-console.log(end, diagnostics, numbers, positions, bytes);
+console.log(end, diagnostics, numbers, positions, bytes, changes, largestMove, again);
 `;
 
 function compile(text) {

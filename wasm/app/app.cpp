@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "core/base/counted.h"
-#include "core/bvh/reader.h"
 #include "core/bvh/text_encoding.h"
 #include "wasm/app/app_parts.h"
 #include "wasm/app/builtin_commands.h"
+#include "wasm/app/file_reading.h"
 #include "wasm/app/samples.h"
 #include "wasm/app/widgets.h"
 
@@ -94,7 +94,8 @@ App::~App() = default;
 
 Status App::open_file(std::string file_name, std::string_view bytes) {
   Workspace& workspace = parts_->workspace;
-  Result<BvhClip> clip = read_bvh(bytes);
+  Result<BvhClip> clip =
+      read_opened_file(file_name, bytes, workspace.has_clip() ? &workspace.session.document : nullptr);
   parts_->settling_frames = 2;
   if (!clip) {
     workspace.messages.add(refusal_message(file_name, clip.error(), workspace.has_clip()));

@@ -83,7 +83,7 @@ void add_document(json& state, const Document& document) {
   state["undoName"] = optional_text(history.undo_name());
   state["redoName"] = optional_text(history.redo_name());
   state["diagnostics"] = diagnostic_list(document.diagnostics());
-  state["positionRule"] = settings.position_rule == PositionRule::Replace ? "replace" : "add";
+  state["positionRule"] = position_rule_id(settings.position_rule);
   state["upAxis"] = axis_name(settings.up_axis);
   state["metresPerUnit"] = settings.metres_per_unit;
   state["namesIn"] = traits_of(settings.names_in).id;

@@ -23,6 +23,12 @@ json apply_settings(Workspace& workspace, std::string name, const ClipSettings& 
   return status ? json(nullptr) : command_error(status.error().message);
 }
 
+std::string blocked_rule(const Workspace& workspace, PositionRule rule) {
+  if (std::string missing = needs_clip(workspace); !missing.empty()) return missing;
+  if (rule != PositionRule::PerJoint || has_joints_that_add(workspace.session.document.skeleton())) return {};
+  return "The file's position channels all speak for one meaning.";
+}
+
 void add_rule(CommandRegistry& registry, Workspace& workspace, PositionRule rule, std::string id, std::string label,
               std::string help) {
   registry.add({.id = std::move(id),
@@ -34,7 +40,7 @@ void add_rule(CommandRegistry& registry, Workspace& workspace, PositionRule rule
                   settings.position_rule = rule;
                   return apply_settings(workspace, label, settings);
                 },
-                .blocked = [&workspace] { return needs_clip(workspace); },
+                .blocked = [&workspace, rule] { return blocked_rule(workspace, rule); },
                 .checked = [&workspace, rule] {
                   return workspace.has_clip() && workspace.session.document.settings().position_rule == rule;
                 }});
@@ -113,6 +119,8 @@ void add_clip_commands(CommandRegistry& registry, Workspace& workspace) {
            "A position channel is the joint's place in its parent's frame, as Blender reads it.");
   add_rule(registry, workspace, PositionRule::Add, "clip.positions.add", "Positions add to the offset",
            "A position channel is added to the joint's offset, as three.js reads it.");
+  add_rule(registry, workspace, PositionRule::PerJoint, "clip.positions.per_joint", "Positions add where they rest at 0",
+           "Joints whose position channels are all 0 in the file keep their offset; the others' channels replace it.");
   add_up_axis(registry, workspace, Axis::Y, "clip.up_axis.y", "Y is up", "The figure stands along the Y axis.");
   add_up_axis(registry, workspace, Axis::Z, "clip.up_axis.z", "Z is up", "The figure stands along the Z axis.");
   for (const CharacterSet set : kCharacterSets) add_names_in(registry, workspace, set);

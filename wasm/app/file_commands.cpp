@@ -41,7 +41,7 @@ std::string needs_frames(const Workspace& workspace) {
 void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
   registry.add({.id = "file.open",
                 .label = "Open…",
-                .help = "Opens a BVH file from this computer. Dropping it anywhere on the page does the same.",
+                .help = "Opens a BVH file or a CSV table from this computer. Dropping it anywhere on the page does the same.",
                 .shortcut = "Ctrl+O",
                 .icon = icons::kFolderOpen,
                 .run = [&workspace](const json&) -> json {

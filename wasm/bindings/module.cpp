@@ -6,6 +6,24 @@
 #include "core/text/readable.h"
 #include "wasm/bindings/module_clip.h"
 
+void take_read(ModuleClip& clip, marey::Result<marey::BvhClip> read) {
+  if (!read) {
+    clip.text = describe_error(read.error());
+    return;
+  }
+  clip.bvh = std::move(read.value());
+  clip.bvh.diagnostics = marey::readable(clip.bvh.diagnostics, clip.bvh.names_in);
+  clip.is_open = true;
+  clip.text = describe_clip(clip.bvh);
+}
+
+marey::SaveOptions save_options(int decimals, int line_end) {
+  marey::SaveOptions options;
+  if (decimals >= 0) options.decimals = decimals;
+  if (line_end >= 0) options.line_end = static_cast<marey::LineEnd>(line_end);
+  return options;
+}
+
 /// The functions that web/module/marey.ts calls. Text comes in as address and size in bytes, in memory from malloc that
 /// the caller releases; what goes out stays at the returned address until the next call with the same clip.
 /// Indices are in range: the caller checks them.
@@ -18,15 +36,7 @@ EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse(const char* text, size_t size,
   marey::ReadOptions options;
   options.strict = strict != 0;
   if (names_in >= 0) options.names_in = marey::kCharacterSets[marey::idx(names_in)];
-  marey::Result<marey::BvhClip> read = marey::read_bvh(std::string_view(text, size), options);
-  if (read) {
-    clip->bvh = std::move(read.value());
-    clip->bvh.diagnostics = marey::readable(clip->bvh.diagnostics, clip->bvh.names_in);
-    clip->is_open = true;
-    clip->text = describe_clip(clip->bvh);
-  } else {
-    clip->text = describe_error(read.error());
-  }
+  take_read(*clip, marey::read_bvh(std::string_view(text, size), options));
   return clip;
 }
 
@@ -52,20 +62,18 @@ EMSCRIPTEN_KEEPALIVE const float* marey_clip_world_positions(ModuleClip* clip, i
   return clip->world_positions.data();
 }
 
-/// Whether position channels add to OFFSET; else they replace it.
-EMSCRIPTEN_KEEPALIVE int marey_clip_positions_add(const ModuleClip* clip) {
-  return clip->bvh.position_rule == marey::PositionRule::Add ? 1 : 0;
+/// The place in marey::kPositionRuleIds.
+EMSCRIPTEN_KEEPALIVE int marey_clip_position_rule(const ModuleClip* clip) {
+  return static_cast<int>(clip->bvh.position_rule);
 }
-EMSCRIPTEN_KEEPALIVE void marey_clip_set_positions_add(ModuleClip* clip, int add) {
-  clip->bvh.position_rule = add != 0 ? marey::PositionRule::Add : marey::PositionRule::Replace;
+EMSCRIPTEN_KEEPALIVE void marey_clip_set_position_rule(ModuleClip* clip, int rule) {
+  clip->bvh.position_rule = static_cast<marey::PositionRule>(rule);
 }
 
 /// `decimals` and `line_end` (0 LF, 1 CR LF) below 0 leave things as they are, as does a `count` of 0.
 EMSCRIPTEN_KEEPALIVE void marey_clip_write(ModuleClip* clip, int decimals, int line_end, int first, int count) {
-  marey::SaveOptions options;
+  marey::SaveOptions options = save_options(decimals, line_end);
   options.frames = {first, count};
-  if (decimals >= 0) options.decimals = decimals;
-  if (line_end >= 0) options.line_end = static_cast<marey::LineEnd>(line_end);
   const marey::BvhClip& bvh = clip->bvh;
   const bool as_it_is = options == marey::SaveOptions{};
   clip->text = as_it_is ? write_bvh(bvh.skeleton, bvh.motion, bvh.style) : write_bvh(bvh.skeleton, bvh.motion, bvh.style, options);

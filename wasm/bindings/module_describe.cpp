@@ -60,6 +60,21 @@ std::string describe_clip(const marey::BvhClip& bvh) {
                   {"diagnostics", diagnostics_json(bvh.diagnostics)}});
 }
 
+std::string describe_export(const marey::ExportedClip& clip) {
+  json changes = json::array();
+  for (const marey::ExportChange& change : clip.changes) {
+    changes.push_back({{"kind", marey::export_change_id(change.kind)},
+                       {"isLoss", change.is_loss},
+                       {"count", change.count},
+                       {"message", change.message}});
+  }
+  json names = json::array();
+  for (const marey::ExportedName& name : clip.names) {
+    names.push_back({{"joint", name.joint}, {"before", name.before}, {"after", name.after}});
+  }
+  return to_text({{"changes", std::move(changes)}, {"names", std::move(names)}, {"largestMove", clip.largest_move}});
+}
+
 std::string describe_error(const marey::Error& error) {
   return to_text({{"code", marey::diagnostic_id(error.code)},
                   {"message", error.message},

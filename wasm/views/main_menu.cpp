@@ -15,6 +15,7 @@ constexpr std::string_view kClip[] = {
     "play.toggle", "play.loop", "play.first", "play.last", "play.previous", "play.next", "", "#Speed", "play.slower",
     "play.faster", "play.normal_speed", "#Range", "play.range_in", "play.range_out", "play.range_clear", "#File says",
     "clip.up_axis.y", "clip.up_axis.z", "clip.positions.replace", "clip.positions.add",
+    "clip.positions.per_joint",
     "#Frames", "clip.first_frame.leave_out", "clip.frames.declared"};
 
 constexpr std::string_view kView[] = {

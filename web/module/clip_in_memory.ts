@@ -1,5 +1,8 @@
 import type { CoreProgram } from "./core_program.js";
-import type { CharacterSet, Clip, Diagnostic, Joint, PositionMeaning, WriteOptions } from "./marey.js";
+import type {
+  CharacterSet, Clip, Diagnostic, Exported, ExportTarget, Joint, PositionMeaning, WriteForOptions, WriteOptions,
+  WriteTableOptions,
+} from "./marey.js";
 import { MareyError } from "./marey_error.js";
 
 interface Description {
@@ -14,6 +17,9 @@ interface Description {
 
 /** In the order of kCharacterSets in core/text/character_set.h. */
 const characterSets: readonly CharacterSet[] = ["utf-8", "windows-1251", "windows-1252", "gbk", "shift_jis"];
+
+/** In the order of kPositionRuleIds in core/skeleton/position_rule.h. */
+const positionMeanings: readonly PositionMeaning[] = ["replace", "add", "per_joint"];
 
 /** What the program takes for a character set: its index, -1 for a guess. */
 function numberOf(set: CharacterSet | undefined): number {
@@ -50,15 +56,25 @@ export class ClipInMemory implements Clip {
 
   static parse(module: CoreProgram, bytes: Uint8Array, strict: boolean, namesIn?: CharacterSet): ClipInMemory {
     const set = numberOf(namesIn);
-    const address = module._malloc(Math.max(bytes.length, 1));
-    if (address === 0) throw new MareyError("limit_memory", `There is no memory for a file of ${bytes.length} bytes.`);
-    module.HEAPU8.set(bytes, address);
-    const handle = module._marey_clip_parse(address, bytes.length, strict ? 1 : 0, set);
-    module._free(address);
+    return ClipInMemory.read(module, bytes, (address) =>
+      module._marey_clip_parse(address, bytes.length, strict ? 1 : 0, set));
+  }
+
+  static parseTable(module: CoreProgram, bytes: Uint8Array, strict: boolean, figure?: Clip): ClipInMemory {
+    if (figure !== undefined && !(figure instanceof ClipInMemory && figure.module === module)) {
+      throw new MareyError("invalid_argument", "The figure is a clip of the same module.");
+    }
+    const figureAt = figure === undefined ? 0 : figure.open();
+    return ClipInMemory.read(module, bytes, (address) =>
+      module._marey_clip_parse_table(address, bytes.length, strict ? 1 : 0, figureAt));
+  }
+
+  private static read(module: CoreProgram, bytes: Uint8Array, parse: (address: number) => number): ClipInMemory {
+    const handle = withBytes(module, bytes, parse);
     const description = JSON.parse(new TextDecoder().decode(copyText(module, handle)));
     if (module._marey_clip_is_open(handle) !== 0) return new ClipInMemory(module, handle, description);
     module._marey_clip_dispose(handle);
-    throw new MareyError(description.code, description.message, description.line, description.column);
+    throw errorOf(description);
   }
 
   channel(index: number): Float64Array {
@@ -79,40 +95,60 @@ export class ClipInMemory implements Clip {
 
   worldPositions(first = 0, count = this.frameCount - first): Float32Array {
     const handle = this.open();
-    const fits = isIndex(first, this.frameCount + 1) && isIndex(count, this.frameCount - first + 1);
-    if (!fits) {
-      throw new MareyError("invalid_argument", `Frames ${first} to ${first + count} are not within 0 to ${this.frameCount}.`);
-    }
+    this.checkRange(first, count, 0);
     const start = this.module._marey_clip_world_positions(handle, first, count) / Float32Array.BYTES_PER_ELEMENT;
     return this.module.HEAPF32.slice(start, start + count * this.nodeCount * 3);
   }
 
   get positions(): PositionMeaning {
-    return this.module._marey_clip_positions_add(this.open()) !== 0 ? "add" : "replace";
+    return positionMeanings[this.module._marey_clip_position_rule(this.open())]!;
   }
 
   set positions(meaning: PositionMeaning) {
-    if (meaning !== "add" && meaning !== "replace") {
-      throw new MareyError("invalid_argument", `Positions "add" or "replace", they do not "${String(meaning)}".`);
+    const rule = positionMeanings.indexOf(meaning);
+    if (rule < 0) {
+      throw new MareyError("invalid_argument", `Positions mean "${positionMeanings.join('", "')}", not "${String(meaning)}".`);
     }
-    this.module._marey_clip_set_positions_add(this.open(), meaning === "add" ? 1 : 0);
+    this.module._marey_clip_set_position_rule(this.open(), rule);
   }
 
   write({ decimals, lineEnds, first = 0, count = this.frameCount - first }: WriteOptions = {}): Uint8Array {
     const handle = this.open();
-    if (decimals !== undefined && !isIndex(decimals, mostDecimals + 1)) {
-      throw new MareyError("invalid_argument", `Decimals are a whole number from 0 to ${mostDecimals}.`);
-    }
-    if (lineEnds !== undefined && lineEnds !== "lf" && lineEnds !== "crlf") {
-      throw new MareyError("invalid_argument", `Line ends are "lf" or "crlf".`);
-    }
+    const style = styleNumbers(decimals, lineEnds);
     const all = first === 0 && count === this.frameCount;
-    if (!all && (!isIndex(first, this.frameCount) || !isIndex(count - 1, this.frameCount - first))) {
-      throw new MareyError("invalid_argument", `Frames ${first} to ${first + count} are not within 0 to ${this.frameCount}.`);
-    }
-    const lineEnd = lineEnds === undefined ? -1 : lineEnds === "lf" ? 0 : 1;
-    this.module._marey_clip_write(handle, decimals ?? -1, lineEnd, all ? 0 : first, all ? 0 : count);
+    if (!all) this.checkRange(first, count, 1);
+    this.module._marey_clip_write(handle, ...style, all ? 0 : first, all ? 0 : count);
     return copyText(this.module, handle);
+  }
+
+  writeTable(of: "channels" | "positions", options: WriteTableOptions = {}): Uint8Array {
+    const handle = this.open();
+    const { lengthUnit = "", first = 0, count = this.frameCount - first } = options;
+    if (of !== "channels" && of !== "positions") {
+      throw new MareyError("invalid_argument", `A table is of "channels" or "positions", not "${String(of)}".`);
+    }
+    if (lengthUnit !== "" && !lengthUnits.includes(lengthUnit)) {
+      throw new MareyError("invalid_argument", `The unit of length is one of ${lengthUnits.join(", ")}, not "${String(lengthUnit)}".`);
+    }
+    this.checkRange(first, count, 0);
+    const unit = new TextEncoder().encode(lengthUnit);
+    withBytes(this.module, unit, (address) =>
+      this.module._marey_clip_write_table(handle, of === "positions" ? 1 : 0, address, unit.length, first, count));
+    return copyText(this.module, handle);
+  }
+
+  writeFor(target: ExportTarget, { referencePose, decimals, lineEnds }: WriteForOptions = {}): Exported {
+    const handle = this.open();
+    const style = styleNumbers(decimals, lineEnds);
+    const name = new TextEncoder().encode(target);
+    const pose = referencePose === undefined ? -1 : Number(referencePose);
+    const done = withBytes(this.module, name, (address) =>
+      this.module._marey_clip_write_for(handle, address, name.length, pose, ...style));
+    const bytes = copyText(this.module, handle);
+    if (done === 0) throw errorOf(JSON.parse(new TextDecoder().decode(bytes)));
+    const reportAt = this.module._marey_clip_report(handle);
+    const report = this.module.HEAPU8.slice(reportAt, reportAt + this.module._marey_clip_report_size(handle));
+    return { bytes, ...JSON.parse(new TextDecoder().decode(report)) };
   }
 
   dispose(): void {
@@ -123,6 +159,11 @@ export class ClipInMemory implements Clip {
   private open(): number {
     if (this.handle === 0) throw new MareyError("invalid_argument", "The clip has been disposed of.");
     return this.handle;
+  }
+
+  private checkRange(first: number, count: number, fewest: number): void {
+    if (isIndex(first, this.frameCount + 1) && isIndex(count - fewest, this.frameCount - first + 1 - fewest)) return;
+    throw new MareyError("invalid_argument", `Frames ${first} to ${first + count} are not within 0 to ${this.frameCount}.`);
   }
 
   /** Position of a channel's samples in HEAPF64. */
@@ -136,6 +177,41 @@ export class ClipInMemory implements Clip {
 }
 
 const mostDecimals = 15;
+const lengthUnits: readonly string[] = ["m", "cm", "mm", "in", "ft", "unit"];
+
+/** Decimals and line ends as the program takes them: -1 for as they are. */
+function styleNumbers(decimals?: number, lineEnds?: "lf" | "crlf"): [number, number] {
+  if (decimals !== undefined && !isIndex(decimals, mostDecimals + 1)) {
+    throw new MareyError("invalid_argument", `Decimals are a whole number from 0 to ${mostDecimals}.`);
+  }
+  if (lineEnds !== undefined && lineEnds !== "lf" && lineEnds !== "crlf") {
+    throw new MareyError("invalid_argument", `Line ends are "lf" or "crlf".`);
+  }
+  return [decimals ?? -1, lineEnds === undefined ? -1 : lineEnds === "lf" ? 0 : 1];
+}
+
+interface ErrorDescription {
+  code: string;
+  message: string;
+  line: number;
+  column: number;
+}
+
+function errorOf({ code, message, line, column }: ErrorDescription): MareyError {
+  return new MareyError(code, message, line, column);
+}
+
+/** Copies bytes into the program's memory for one call. */
+function withBytes<T>(module: CoreProgram, bytes: Uint8Array, call: (address: number) => T): T {
+  const address = module._malloc(Math.max(bytes.length, 1));
+  if (address === 0) throw new MareyError("limit_memory", `There is no memory for a file of ${bytes.length} bytes.`);
+  module.HEAPU8.set(bytes, address);
+  try {
+    return call(address);
+  } finally {
+    module._free(address);
+  }
+}
 
 function isIndex(value: number, count: number): boolean {
   return Number.isInteger(value) && value >= 0 && value < count;

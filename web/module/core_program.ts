@@ -6,13 +6,20 @@ export interface CoreProgram {
   _malloc(size: number): number;
   _free(address: number): void;
   _marey_clip_parse(text: number, size: number, strict: number, namesIn: number): number;
+  _marey_clip_parse_table(text: number, size: number, strict: number, figure: number): number;
   _marey_clip_dispose(clip: number): void;
   _marey_clip_is_open(clip: number): number;
   _marey_clip_text(clip: number): number;
   _marey_clip_text_size(clip: number): number;
   _marey_clip_samples(clip: number, channel: number): number;
   _marey_clip_world_positions(clip: number, first: number, count: number): number;
-  _marey_clip_positions_add(clip: number): number;
-  _marey_clip_set_positions_add(clip: number, add: number): void;
+  _marey_clip_position_rule(clip: number): number;
+  _marey_clip_set_position_rule(clip: number, rule: number): void;
   _marey_clip_write(clip: number, decimals: number, lineEnd: number, first: number, count: number): void;
+  _marey_clip_write_table(clip: number, ofPositions: number, unit: number, unitSize: number, first: number,
+    count: number): void;
+  _marey_clip_write_for(clip: number, target: number, targetSize: number, referencePose: number, decimals: number,
+    lineEnd: number): number;
+  _marey_clip_report(clip: number): number;
+  _marey_clip_report_size(clip: number): number;
 }

@@ -68,12 +68,27 @@ export interface Clip {
   /** The clip as a BVH file in the style of the file it was read from, but for what `options` ask. */
   write(options?: WriteOptions): Uint8Array;
 
+  /**
+   * A CSV table of the samples or of the world positions, as `marey convert` and `marey fk` write them. The channels come
+   * back bit for bit by `parseTable`.
+   */
+  writeTable(of: "channels" | "positions", options?: WriteTableOptions): Uint8Array;
+
+  /**
+   * A BVH file as another program wants it, and what that costs; `docs/export-targets.md` has the targets. Throws a
+   * MareyError for an unknown target and for a clip that is too long.
+   */
+  writeFor(target: ExportTarget, options?: WriteForOptions): Exported;
+
   /** Gives the memory back; the clip cannot be used afterwards. */
   dispose(): void;
 }
 
-/** A position channel replaces the joint's OFFSET, or is added to it. */
-export type PositionMeaning = "replace" | "add";
+/**
+ * A position channel replaces the joint's OFFSET, or is added to it; "per_joint": added for the joints that rest at 0 in
+ * the file although they have an OFFSET, replacing for the others.
+ */
+export type PositionMeaning = "replace" | "add" | "per_joint";
 
 export interface WriteOptions {
   /** Of samples and offsets, 0 to 15; each number becomes the nearest one that has so many. The frame time stays. */
@@ -83,6 +98,41 @@ export interface WriteOptions {
   first?: number;
   /** How many frames to write; by default all from `first` on. */
   count?: number;
+}
+
+export interface WriteTableOptions {
+  /** Writes units into the header. BVH has no unit of length: this says what the numbers are, it converts nothing. */
+  lengthUnit?: "m" | "cm" | "mm" | "in" | "ft" | "unit";
+  /** The first frame to write; by default 0. */
+  first?: number;
+  /** How many frames to write; by default all from `first` on. */
+  count?: number;
+}
+
+export type ExportTarget = "strict" | "blender" | "three" | "bvhview" | "pybvh" | "motionbuilder" | "second-life";
+
+export interface WriteForOptions {
+  /** Whether the rest pose is the first frame; by default as the target wants it. */
+  referencePose?: boolean;
+  decimals?: number;
+  lineEnds?: "lf" | "crlf";
+}
+
+export interface Exported {
+  readonly bytes: Uint8Array;
+  /** What is not as in the clip; `kind` is one of docs/export-targets.md. */
+  readonly changes: readonly { kind: string; isLoss: boolean; count: number; message: string }[];
+  /** Joints of the file that have another name in it. */
+  readonly names: readonly { joint: number; before: string; after: string }[];
+  /** Greatest distance of a joint or end site from where the clip has it, in file units. */
+  readonly largestMove: number;
+}
+
+export interface ParseTableOptions {
+  /** Refuse what would otherwise be repaired. */
+  strict?: boolean;
+  /** The clip whose channels the table has. Without it the table is one of points, and each becomes a root. */
+  figure?: Clip;
 }
 
 export interface ParseOptions {
@@ -95,6 +145,9 @@ export interface ParseOptions {
 export interface Marey {
   /** Reads a BVH file. Throws a MareyError that says where and why it cannot be read. */
   parse(data: Uint8Array | string, options?: ParseOptions): Clip;
+
+  /** Reads a CSV table of channels or of points; docs/command-line.md#tables-in. Throws a MareyError as `parse` does. */
+  parseTable(data: Uint8Array | string, options?: ParseTableOptions): Clip;
 }
 
 export interface MareyOptions {
@@ -109,8 +162,14 @@ export async function createMarey(options: MareyOptions = {}): Promise<Marey> {
   const module = await createModule({ wasmBinary });
   return {
     parse(data, { strict = false, namesIn } = {}) {
-      const bytes = typeof data === "string" ? new TextEncoder().encode(data) : data;
-      return ClipInMemory.parse(module, bytes, strict, namesIn);
+      return ClipInMemory.parse(module, bytesOf(data), strict, namesIn);
+    },
+    parseTable(data, { strict = false, figure } = {}) {
+      return ClipInMemory.parseTable(module, bytesOf(data), strict, figure);
     },
   };
+}
+
+function bytesOf(data: Uint8Array | string): Uint8Array {
+  return typeof data === "string" ? new TextEncoder().encode(data) : data;
 }

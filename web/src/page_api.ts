@@ -33,7 +33,7 @@ export interface State {
   undoName: string | null;
   redoName: string | null;
   diagnostics: Diagnostic[];
-  positionRule: "replace" | "add";
+  positionRule: "replace" | "add" | "per_joint";
   upAxis: "X" | "Y" | "Z";
   metresPerUnit: number;
 

@@ -61,6 +61,23 @@ TEST_F(Problems, AnotherWayOfReadingIsOneClickAndUndoable) {
   EXPECT_EQ(stage_.state()["positionRule"], "replace");
 }
 
+TEST_F(Problems, EachJointItsOwnWayIsOfferedWhereTheNumbersDiffer) {
+  EXPECT_FALSE(stage_.shows("clip.positions.per_joint@inspector"));
+  ASSERT_TRUE(stage_.open_text("mixed.bvh",
+                               "HIERARCHY ROOT a { OFFSET 0 0 0 CHANNELS 1 Yposition\n"
+                               "JOINT b { OFFSET 0 9 0 CHANNELS 1 Yposition End Site { OFFSET 0 1 0 } }\n"
+                               "JOINT c { OFFSET 0 9 0 CHANNELS 1 Yposition End Site { OFFSET 0 1 0 } } }\n"
+                               "MOTION\nFrames: 1\nFrame Time: 0.1\n0 0 9.5\n")
+                  .ok());
+  stage_.app().run_command("view.problems", nullptr);
+  stage_.settle();
+  EXPECT_EQ(stage_.state()["positionRule"], "per_joint");
+  stage_.click("clip.positions.add@inspector");
+  EXPECT_EQ(stage_.state()["positionRule"], "add");
+  stage_.click("clip.positions.per_joint@inspector");
+  EXPECT_EQ(stage_.state()["positionRule"], "per_joint");
+}
+
 TEST_F(Problems, AFileThatReadsAsWrittenStillSaysWhatWasAssumed) {
   ASSERT_TRUE(stage_.open_text("plain.bvh", small_bvh(3)).ok());
   stage_.app().run_command("view.problems", nullptr);

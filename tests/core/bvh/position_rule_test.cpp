@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <glm/vec3.hpp>
 #include <string>
 #include <vector>
 
+#include "core/kinematics/forward_kinematics.h"
+#include "core/kinematics/pose.h"
 #include "tests/core/bvh/bvh_texts.h"
 
 namespace marey {
@@ -51,14 +54,43 @@ TEST(PositionRule, RootAndJointsAreToldApart) {
   EXPECT_EQ(places, (std::vector<TextPlace>{{2, 1}, {6, 1}})) << listing(clip);
 }
 
-TEST(PositionRule, JointsThatDisagreeAreAWarning) {
-  const std::string text =
+/// Joints b, c and d with an OFFSET of 9 up and one position channel each; `row` has their values.
+std::string three_heights(const std::string& row) {
+  return
       "HIERARCHY\nROOT a\n{\nOFFSET 0 0 0\nCHANNELS 0\nJOINT b\n{\nOFFSET 0 9 0\nCHANNELS 1 Yposition\n}\nJOINT c\n{\n"
       "OFFSET 0 9 0\nCHANNELS 1 Yposition\n}\nJOINT d\n{\nOFFSET 0 9 0\nCHANNELS 1 Yposition\n}\n}\n"
-      "MOTION\nFrames: 1\nFrame Time: 0.1\n0 9.5 9\n";
-  const BvhClip clip = read_or_fail(text);
+      "MOTION\nFrames: 1\nFrame Time: 0.1\n" + row + "\n";
+}
+
+TEST(PositionRule, TheMajorityDecidesWhereJointsDisagree) {
+  const BvhClip clip = read_or_fail(three_heights("0.5 9.5 9"));
   EXPECT_EQ(clip.position_rule, PositionRule::Replace);
+  EXPECT_FALSE(has_joints_that_add(clip.skeleton));
   expect_finding(clip, Code::PositionsAmbiguous, {6, 1});
+}
+
+TEST(PositionRule, JointsThatRestAtZeroBesideOthersThatDoNotAddEachForItself) {
+  const BvhClip clip = read_or_fail(three_heights("0 9.5 0"));
+  EXPECT_EQ(clip.position_rule, PositionRule::PerJoint);
+  expect_finding(clip, Code::PositionsAmbiguous, {6, 1});
+  const std::vector<glm::dvec3> expected = {{0, 0, 0}, {0, 9, 0}, {0, 9.5, 0}, {0, 9, 0}};
+  std::vector<double> block(12);
+  compute_world_positions(clip.skeleton, clip.motion, {0, 1}, clip.position_rule, block);
+  LocalPose local;
+  WorldPose world;
+  local.resize(clip.skeleton);
+  world.resize(clip.skeleton);
+  compute_local_pose(clip.skeleton, clip.motion, 0, clip.position_rule, local);
+  compute_world_pose(clip.skeleton, local, world);
+  for (std::size_t node = 0; node < expected.size(); ++node) {
+    EXPECT_EQ(world.world_positions[node], expected[node]) << node;
+    EXPECT_EQ(glm::dvec3(block[3 * node], block[3 * node + 1], block[3 * node + 2]), expected[node]) << node;
+  }
+}
+
+TEST(PositionRule, PerJointIsNoOtherThanReplacingWhereNoJointRests) {
+  const BvhClip clip = read_or_fail(two_positions("0 0 0", "0 10 0", "5 6 7 0.5 10.5 0"));
+  EXPECT_FALSE(has_joints_that_add(clip.skeleton));
 }
 
 TEST(PositionRule, WithoutFramesTheDefaultHolds) {

@@ -40,7 +40,9 @@ void draw_up_axis(ViewContext& context) {
 }
 
 void draw_position_choice(ViewContext& context) {
-  for (const char* id : {"clip.positions.replace", "clip.positions.add"}) {
+  std::vector<const char*> ids = {"clip.positions.replace", "clip.positions.add"};
+  if (has_joints_that_add(context.session.document.skeleton())) ids.push_back("clip.positions.per_joint");
+  for (const char* id : ids) {
     ImGui::SetCursorPosX(inspector::kPadding);
     ui::command_button(context, id, ui::ButtonLook::Raised, true, "@inspector");
     inspector::end_row();

@@ -63,7 +63,14 @@ void ReadingChoices::draw_positions(ViewContext& context) {
   ChoiceCard adding = pictured(context, "clip.positions.add", add);
   replacing.label = "Replace offset";
   adding.label = "Add to offset";
-  run_pressed(context, {std::move(replacing), std::move(adding)});
+  std::vector<ChoiceCard> cards = {std::move(replacing), std::move(adding)};
+  if (has_joints_that_add(context.session.document.skeleton())) {
+    ClipSettings per_joint = add;
+    per_joint.position_rule = PositionRule::PerJoint;
+    cards.push_back(pictured(context, "clip.positions.per_joint", per_joint));
+    cards.back().label = "Per joint";
+  }
+  run_pressed(context, cards);
 }
 
 void ReadingChoices::draw_frame_rate(ViewContext& context) {

@@ -1,0 +1,49 @@
+#include "tests/bench/bench_clip.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/index.h"
+#include "core/bvh/reader.h"
+
+namespace marey::bench {
+namespace {
+
+[[noreturn]] void give_up(const std::string& reason) {
+  std::fprintf(stderr, "%s\n", reason.c_str());
+  std::exit(1);
+}
+
+std::string read_clip_text() {
+  const char* path = std::getenv("MAREY_BENCH_CLIP");
+  if (path == nullptr) give_up("MAREY_BENCH_CLIP does not name the clip; npm run bench makes it and sets this.");
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return std::move(bytes).str();
+}
+
+BvhClip read_clip() {
+  Result<BvhClip> clip = read_bvh(clip_text());
+  if (!clip) give_up("The clip cannot be read: " + clip.error().message);
+  return std::move(clip.value());
+}
+
+}  // namespace
+
+const std::string& clip_text() {
+  static const std::string text = read_clip_text();
+  return text;
+}
+
+const BvhClip& clip() {
+  static const BvhClip clip = read_clip();
+  return clip;
+}
+
+std::size_t joint_frames() {
+  return idx(clip().skeleton.joint_count()) * idx(clip().motion.frame_count());
+}
+
+}  // namespace marey::bench

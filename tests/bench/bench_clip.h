@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "core/bvh/bvh_clip.h"
+
+namespace marey::bench {
+
+/// The file that every part of `npm run bench` reads, named by MAREY_BENCH_CLIP; scripts/bench/clip.mjs makes it.
+/// Ends the program with a message where it is not there.
+[[nodiscard]] const std::string& clip_text();
+
+/// The same, read.
+[[nodiscard]] const BvhClip& clip();
+
+/// Joints x frames of the clip.
+[[nodiscard]] std::size_t joint_frames();
+
+}  // namespace marey::bench
