@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/byte_search.h"
 #include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/bvh/motion_header.h"
@@ -18,7 +19,7 @@ constexpr NumberLook kDecimalAndSemicolons{',', false, true};
 
 using Lines = std::vector<std::string_view>;
 
-bool has_comma(std::string_view text) { return text.find_first_of(",;") != std::string_view::npos; }
+bool has_comma(std::string_view text) { return find_either(text, ',', ';') != std::string_view::npos; }
 
 template <class Visit>
 void for_each_word(std::string_view line, Visit visit, const NumberLook& look = kPlain) {
@@ -45,7 +46,7 @@ bool is_row_like(std::string_view line) {
 /// Rows with commas, from the first one on.
 Lines find_comma_lines(std::string_view rows) {
   Lines lines;
-  const std::size_t first = rows.find_first_of(",;");
+  const std::size_t first = find_either(rows, ',', ';');
   if (first == std::string_view::npos) return lines;
   const std::size_t line_end = rows.substr(0, first).find_last_of("\r\n");
   rows = rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1, kMostBytes);

@@ -77,10 +77,13 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
     hot.gap_length = size_of(column.gap);
     const std::size_t bytes = std::min(column.gap.size(), sizeof hot.gap_word);
     std::copy_n(column.gap.data(), bytes, reinterpret_cast<char*>(&hot.gap_word));
-    // A gap that does not fit into a word takes the longer way.
+    // A gap that does not fit into a word takes the longer way: no word is like it under an empty mask.
     const bool fits = !column.gap.empty() && column.gap.size() <= sizeof hot.gap_word;
     hot.gap_mask = fits ? ~std::uint64_t{0} >> (64 - 8 * bytes) : 0;
+    if (!fits) hot.gap_word = 1;
     hot.spelling = PlainSpelling(column.format);
+    const bool is_usual = is_usual_fixed(column.format) && hot.gap_length <= FixedNumberReader::kLongestGap;
+    if (fits && is_usual) hot.fixed = FixedNumberReader(column.format.decimals);
     hot_columns_.push_back(hot);
   }
 }
@@ -101,10 +104,15 @@ bool RowReader::read_predicted_row() {
   const char point = survey_.look.point;
   double* row = store_.next_row();
   const char* p = at_;
+  const std::ptrdiff_t reach = kPlainNumberReach + 8;
   for (int channel = 0; channel < channel_count_; ++channel) {
     const HotColumn& column = hot_columns_[idx(channel)];
-    const bool reachable = end_ - p > kPlainNumberReach + 8;
-    if (reachable && (detail::load_eight(p) & column.gap_mask) == column.gap_word && column.gap_mask != 0) {
+    const std::uint64_t word = end_ - p > reach ? detail::load_eight(p) : 0;
+    if ((word & column.gap_mask) == column.gap_word) {
+      if (const char* end = column.fixed.read(p, word, column.gap_length, row[channel])) {
+        p = end;
+        continue;
+      }
       const char* begin = p + column.gap_length;
       const PlainNumber number = scan_plain_number(begin, point);
       if (number.end != nullptr && column.spelling.matches(begin, number)) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/fixed_number.h"
 #include "core/base/number_spelling.h"
 #include "core/bvh/motion_rows.h"
 #include "core/bvh/motion_survey.h"
@@ -30,6 +31,7 @@ class RowReader {
     std::uint64_t gap_word = 0;  ///< the gap's bytes
     std::uint64_t gap_mask = 0;
     int gap_length = 0;
+    FixedNumberReader fixed;
     PlainSpelling spelling;
   };
 

@@ -1,5 +1,7 @@
 #include "core/bvh/row_text.h"
 
+#include "core/base/byte_search.h"
+
 #include <algorithm>
 
 namespace marey {
@@ -20,7 +22,7 @@ int count_values(std::string_view line, const NumberLook& look) {
   }
 }
 
-std::string_view first_line(std::string_view text) { return text.substr(0, text.find_first_of("\r\n")); }
+std::string_view first_line(std::string_view text) { return text.substr(0, find_either(text, '\r', '\n')); }
 
 std::size_t gap_length(std::string_view text, const NumberLook& look) {
   std::size_t at = 0;

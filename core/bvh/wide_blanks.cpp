@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/plain_number.h"
+#include "core/base/byte_search.h"
 #include "core/base/text_cursor.h"
 #include "core/bvh/keyword.h"
 #include "core/bvh/row_text.h"
@@ -21,12 +21,6 @@ constexpr std::array<std::string_view, 21> kWideBlanks = {
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
 /// The next byte from `at` on that is not ASCII, or the end.
-std::size_t find_beyond_ascii(std::string_view text, std::size_t at) {
-  while (at + 8 <= text.size() && (detail::load_eight(text.data() + at) & 0x8080808080808080U) == 0) at += 8;
-  while (at < text.size() && is_ascii(text[at])) ++at;
-  return at;
-}
-
 /// Length of the blank beyond ASCII at text[at], 0 if there is none. A lone A0 is the no-break blank of Latin-1.
 std::size_t wide_blank_length(std::string_view text, std::size_t at) {
   if (at >= text.size()) return 0;

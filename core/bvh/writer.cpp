@@ -1,11 +1,13 @@
 #include "core/bvh/writer.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <string_view>
 #include <vector>
 
 #include "core/base/bits.h"
+#include "core/base/fixed_number.h"
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
 #include "core/bvh/header_writer.h"
@@ -29,22 +31,49 @@ MotionStyle fitted_style(const Motion& motion, const BvhStyle& style) {
 
 class RowWriter {
  public:
-  RowWriter(const Motion& motion, const MotionStyle& style, std::string& out)
-      : motion_(motion), style_(style), out_(out) {}
+  RowWriter(const Motion& motion, const MotionStyle& style, std::string& out);
 
   void write_all();
 
  private:
-  void write_value(double value, const ColumnStyle& column);
+  /// A column as the hot loop wants it.
+  struct HotColumn {
+    std::uint64_t gap_word = 0;  ///< the gap's first eight bytes
+    const ColumnStyle* style = nullptr;
+    FixedNumberWriter fixed;
+  };
+
+  void write_row(const double* values);
+  [[nodiscard]] char* write_usual(double value, const HotColumn& column, char* out);
+  void write_special(double value, const ColumnStyle& column);
   void write_odd_token(double value, const ColumnStyle& column);
   void write_gap(std::string_view gap);
+  [[nodiscard]] bool is_special() const {
+    return index_ == 0 || (next_odd_ < style_.odd_tokens.size() && style_.odd_tokens[next_odd_].index == index_);
+  }
 
   const Motion& motion_;
   const MotionStyle& style_;
   std::string& out_;
   std::int64_t index_ = 0;
   std::size_t next_odd_ = 0;
+  std::vector<HotColumn> columns_;
+  std::string row_;     ///< room for the longest row
+  std::string number_;  ///< that the hot loop leaves to append_number()
 };
+
+RowWriter::RowWriter(const Motion& motion, const MotionStyle& style, std::string& out)
+    : motion_(motion), style_(style), out_(out) {
+  std::size_t longest_row = 0;
+  for (const ColumnStyle& column : style.columns) {
+    HotColumn& hot = columns_.emplace_back();
+    std::copy_n(column.gap.data(), std::min(column.gap.size(), sizeof hot.gap_word), reinterpret_cast<char*>(&hot.gap_word));
+    hot.style = &column;
+    if (is_usual_fixed(column.format)) hot.fixed = FixedNumberWriter(column.format.decimals);
+    longest_row += std::max(column.gap.size(), sizeof hot.gap_word) + kMaxNumberLength;
+  }
+  row_.resize(longest_row);
+}
 
 void RowWriter::write_all() {
   constexpr int kTileRows = 16;
@@ -57,13 +86,39 @@ void RowWriter::write_all() {
       for (int row = 0; row < rows; ++row) tile[idx(row) * idx(channels) + idx(c)] = from[row];
     }
     for (int row = 0; row < rows; ++row) {
-      const double* values = tile.data() + idx(row) * idx(channels);
-      for (ChannelIndex c = 0; c < channels; ++c) write_value(values[c], style_.columns[idx(c)]);
+      write_row(tile.data() + idx(row) * idx(channels));
     }
   }
 }
 
-void RowWriter::write_value(double value, const ColumnStyle& column) {
+void RowWriter::write_row(const double* values) {
+  char* p = row_.data();
+  for (const HotColumn& column : columns_) {
+    if (is_special()) {
+      out_.append(row_.data(), p);
+      p = row_.data();
+      write_special(*values, *column.style);
+    } else {
+      p = write_usual(*values, column, p);
+    }
+    ++values;
+    ++index_;
+  }
+  out_.append(row_.data(), p);
+}
+
+char* RowWriter::write_usual(double value, const HotColumn& column, char* out) {
+  const std::string& gap = column.style->gap;
+  std::memcpy(out, &column.gap_word, sizeof column.gap_word);
+  if (gap.size() > sizeof column.gap_word) std::memcpy(out, gap.data(), gap.size());
+  out += gap.size();
+  if (char* end = column.fixed.write(value, out)) return end;
+  number_.clear();
+  append_number(value, column.style->format, number_);
+  return std::copy(number_.begin(), number_.end(), out);
+}
+
+void RowWriter::write_special(double value, const ColumnStyle& column) {
   if (next_odd_ < style_.odd_tokens.size() && style_.odd_tokens[next_odd_].index == index_) {
     write_odd_token(value, column);
     ++next_odd_;
@@ -71,7 +126,6 @@ void RowWriter::write_value(double value, const ColumnStyle& column) {
     write_gap(column.gap);
     append_number(value, column.format, out_);
   }
-  ++index_;
 }
 
 void RowWriter::write_odd_token(double value, const ColumnStyle& column) {
@@ -112,7 +166,7 @@ bool reads_back_as(const Motion& motion, const std::string& text) {
 }  // namespace
 
 std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {
-  constexpr std::size_t kUsualNumber = 10;
+  constexpr std::size_t kUsualNumber = 11;
   std::string out;
   out.reserve(style.header_text.text.size() + motion.samples().size() * kUsualNumber + style.motion.tail.size() + 4096);
   append_header(skeleton, motion, style, out);

@@ -17,6 +17,19 @@ namespace {
 
 using bench::clip;
 
+/// A sample of the clip, row after row as in the file: how a first program keeps them.
+double sample_in_rows(ChannelIndex channel, FrameIndex frame) {
+  static const std::vector<double> rows = [] {
+    const Motion& motion = clip().motion;
+    std::vector<double> samples;
+    for (FrameIndex f = 0; f < motion.frame_count(); ++f) {
+      for (ChannelIndex c = 0; c < motion.channel_count(); ++c) samples.push_back(motion.sample(c, f));
+    }
+    return samples;
+  }();
+  return rows[idx(frame) * idx(clip().motion.channel_count()) + idx(channel)];
+}
+
 /// Room for the positions of all nodes in all frames.
 std::vector<float>& position_room() {
   static std::vector<float> positions(idx(clip().skeleton.node_count()) * 3 * idx(clip().motion.frame_count()));
@@ -39,7 +52,7 @@ glm::dmat4 local_matrix(const BvhClip& clip, JointIndex joint, FrameIndex frame)
   glm::dmat4 rotation(1.0);
   ChannelIndex index = clip.skeleton.first_channel(joint);
   for (const Channel& channel : clip.skeleton.channels(joint)) {
-    const double sample = clip.motion.sample(index++, frame);
+    const double sample = sample_in_rows(index++, frame);
     if (is_position(channel.kind)) {
       translation[static_cast<int>(axis_of(channel.kind))] = sample;
     } else {
@@ -75,7 +88,7 @@ QuaternionFrame local_frame(const BvhClip& clip, JointIndex joint, FrameIndex fr
   QuaternionFrame local{glm::dquat(1.0, 0.0, 0.0, 0.0), clip.skeleton.offset(joint)};
   ChannelIndex index = clip.skeleton.first_channel(joint);
   for (const Channel& channel : clip.skeleton.channels(joint)) {
-    const double sample = clip.motion.sample(index++, frame);
+    const double sample = sample_in_rows(index++, frame);
     if (is_position(channel.kind)) {
       local.position[static_cast<int>(axis_of(channel.kind))] = sample;
     } else {

@@ -10,6 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/bits.h"
+#include "core/base/fixed_number.h"
+#include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_number.h"
 #include "tests/support/random.h"
@@ -149,6 +152,45 @@ TEST(ScanPlainNumber, RefusesWhatIsNotPlain) {
                                  "99999999.99999999999"}) {
     EXPECT_EQ(scan_plain_number((text + std::string(kPlainNumberReach, ' ')).data()).end, nullptr) << text;
   }
+}
+
+TEST(FixedNumberReader, ReadsExactlyWhatIsWrittenWithItsDecimals) {
+  Random random(4);
+  int read_count = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    const std::string text = random_number_text(random);
+    const int gap = random.below(FixedNumberReader::kLongestGap + 1);
+    const std::string line = std::string(idx(gap), ' ') + text + "\n" + std::string(kPlainNumberReach, '1');
+    const int decimals = 1 + random.below(FixedNumberReader::kMostDecimals);
+    double value = 0.0;
+    const char* end = FixedNumberReader(decimals).read(line.data(), detail::load_eight(line.data()), gap, value);
+    if (end == nullptr) continue;
+    ++read_count;
+    ASSERT_EQ(end, line.data() + idx(gap) + text.size()) << text;
+    ASSERT_TRUE(same_bits(value, std::strtod(text.c_str(), nullptr))) << text;
+    std::string written;
+    append_number(value, {.form = NumberFormat::Form::Fixed, .decimals = static_cast<std::uint8_t>(decimals)}, written);
+    ASSERT_EQ(written, text);
+  }
+  EXPECT_GT(read_count, 2'000);
+}
+
+TEST(FixedNumberReader, RefusesEverythingElse) {
+  const auto read = [](const std::string& text, double& value) {
+    const std::string line = " " + text + "\n" + std::string(kPlainNumberReach, '1');
+    return FixedNumberReader(2).read(line.data(), detail::load_eight(line.data()), 1, value) != nullptr;
+  };
+  double value = 0.0;
+  for (const std::string text : {"1.5", "1.555", ".55", "01.55", "1,55", "1.5x", "x.55", "-.55", "--1.55", "1.55e1", "12345678.55",
+                                 "1.-5", "1 .55", "+1.55", "nan", "1.5:", "1.:5", "/.55", ":.55", "1.55-2"}) {
+    EXPECT_FALSE(read(text, value)) << text;
+  }
+  EXPECT_TRUE(read("-1.55", value));
+  EXPECT_EQ(value, -1.55);
+  EXPECT_TRUE(read("-0.00", value));
+  EXPECT_TRUE(same_bits(value, -0.0));
+  const std::string sound = "1.55 " + std::string(kPlainNumberReach, '1');
+  EXPECT_EQ(FixedNumberReader().read(sound.data(), detail::load_eight(sound.data()), 0, value), nullptr);
 }
 
 TEST(NotFiniteText, KnowsTheSpellingsOfCLibraries) {

@@ -1,12 +1,15 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/base/fixed_number.h"
 #include "core/base/number_spelling.h"
 #include "core/base/number_text.h"
 #include "tests/support/random.h"
@@ -148,6 +151,43 @@ TEST(Spelling, IsRecognisedExactlyWhenItWouldBeWritten) {
     ++recognised;
   }
   EXPECT_GT(recognised, 5'000);
+}
+
+TEST(FixedNumberWriter, WritesAsAppendNumberDoes) {
+  Random random(5);
+  int written_count = 0;
+  for (int i = 0; i < 300'000; ++i) {
+    const int decimals = 1 + random.below(FixedNumberWriter::kMostDecimals);
+    // Mostly what a file with so many decimals can hold, else any double.
+    const double any = random.one_in(10) ? random.any_finite() : std::ldexp(random.unit() - 0.5, random.below(32));
+    const std::string rounded = fmt::format("{:.{}f}", any, random.one_in(4) ? 17 : decimals);
+    const double value = std::strtod(rounded.c_str(), nullptr);
+    char text[FixedNumberWriter::kReach];
+    char* end = FixedNumberWriter(decimals).write(value, text);
+    if (end == nullptr) continue;
+    ++written_count;
+    ASSERT_EQ(std::string(&text[0], end), written(value, fixed(decimals)));
+  }
+  EXPECT_GT(written_count, 100'000);
+}
+
+TEST(FixedNumberWriter, WritesTheEndsOfItsRange) {
+  const auto text_of = [](double value, int decimals) {
+    char text[FixedNumberWriter::kReach];
+    char* end = FixedNumberWriter(decimals).write(value, text);
+    return end == nullptr ? std::string() : std::string(&text[0], end);
+  };
+  EXPECT_EQ(text_of(0.0, 6), "0.000000");
+  EXPECT_EQ(text_of(-0.0, 2), "-0.00");
+  EXPECT_EQ(text_of(0.00000001, 8), "0.00000001");
+  EXPECT_EQ(text_of(99999999.5, 1), "99999999.5");
+  EXPECT_EQ(text_of(-9999999.9999999, 7), "-9999999.9999999");
+  EXPECT_EQ(text_of(180.0, 6), "180.000000");
+  for (const double value : {1e8, -1e300, std::numeric_limits<double>::infinity(), std::nan(""), 0.123}) {
+    EXPECT_EQ(text_of(value, 2), "") << value;
+  }
+  char text[FixedNumberWriter::kReach];
+  EXPECT_EQ(FixedNumberWriter().write(1.5, text), nullptr);
 }
 
 }  // namespace

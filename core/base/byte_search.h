@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace marey {
+
+// What string_view::find_first_of() does, at the rate of the memory: blocks without what is sought are passed by SIMD.
+
+/// The first place from `from` on where `a` or `b` stands; npos if there is none.
+[[nodiscard]] std::size_t find_either(std::string_view text, char a, char b, std::size_t from = 0);
+
+/// The first byte from `from` on that is not ASCII; npos if there is none.
+[[nodiscard]] std::size_t find_beyond_ascii(std::string_view text, std::size_t from = 0);
+
+}  // namespace marey
