@@ -35,7 +35,7 @@ constexpr std::array<FindingTraits, kFindingKindCount> kTraits = {{
      kThreeRotations},
     {Kind::SingleChannelJoint, "single_channel_joint", "Add the other rotations with the value 0.", kNoSingleChannel},
     {Kind::PositionBelowRoot, "position_below_root",
-     "Leave the positions out where they only repeat OFFSET; else check that the figure looks the same elsewhere.",
+     "Leave out positions that only repeat OFFSET or stay 0 beside it; else check that the figure looks the same elsewhere.",
      kPositionsOfRootOnly},
     {Kind::MixedRotationOrders, "mixed_rotation_orders", "Use programs that read the order of each joint.",
      kOneOrderForAll},
