@@ -47,8 +47,10 @@ class FixedNumberReader {
     const std::uint64_t fraction = (detail::load_eight(fraction_at) ^ kZeros) << fraction_shift_;
     const std::uint64_t integer_value = value_of(integer);
     // One branch for all that is seldom so; the number of digits cannot be predicted.
-    const bool surplus_zero = integer_value < kSmallest[static_cast<std::size_t>(integer_digits)];
-    if (!are_digits(integer, fraction) | surplus_zero | (point_mask == 0) | !is_blank(*end)) return nullptr;
+    const std::uint64_t surplus_zero = integer_value < kSmallest[static_cast<std::size_t>(integer_digits)] ? 1 : 0;
+    const std::uint64_t no_point = point_mask == 0 ? 1 : 0;
+    const std::uint64_t no_end = is_blank(*end) ? 0 : 1;
+    if ((bits_of_no_digits(integer, fraction) | surplus_zero | no_point | no_end) != 0) return nullptr;
     const auto mantissa = static_cast<std::int64_t>(integer_value * integer_scale_ + value_of(fraction));
     value = with_sign(static_cast<double>(mantissa) / scale_, negative);
     return decimals_ == 0 ? nullptr : end;
@@ -59,10 +61,10 @@ class FixedNumberReader {
   /// The least number with so many digits, of which the first is no surplus zero.
   static constexpr std::array<std::uint64_t, 9> kSmallest = {0, 0, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
 
-  /// True if all bytes are 0 to 9.
-  static bool are_digits(std::uint64_t a, std::uint64_t b) {
+  /// 0 if all bytes are 0 to 9.
+  static std::uint64_t bits_of_no_digits(std::uint64_t a, std::uint64_t b) {
     constexpr std::uint64_t kToHighBit = 0x7676767676767676U;
-    return (((a + kToHighBit) | a | (b + kToHighBit) | b) & 0x8080808080808080U) == 0;
+    return ((a + kToHighBit) | a | (b + kToHighBit) | b) & 0x8080808080808080U;
   }
   /// As detail::eight_digits(), of bytes from 0 to 9.
   static std::uint64_t value_of(std::uint64_t digits) {
