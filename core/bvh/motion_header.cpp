@@ -10,11 +10,10 @@
 #include "core/bvh/keyword.h"
 #include "core/bvh/keyword_reader.h"
 #include "core/bvh/row_text.h"
+#include "core/motion/frame_time.h"
 
 namespace marey {
 namespace {
-
-constexpr double kSlowestBelievable = 10.0;  ///< seconds per frame; from here on it is a rate in frames per second
 
 /// True if one of the next lines begins with a keyword of the motion's header.
 bool keyword_is_near(std::string_view text) {
@@ -270,7 +269,7 @@ void MotionHeaderReader::read_frame_rate(std::size_t begin) {
   cursor_.skip_blanks_in_line();
   const std::string_view word = cursor_.peek_word();
   const NumberRead number = read_number(word);
-  const bool usable = number.length > 0 && number.length == word.size() && number.value > 0.0 && std::isfinite(1.0 / number.value);
+  const bool usable = number.length > 0 && number.length == word.size() && is_frame_time(1.0 / number.value);
   if (!value_is_missing()) cursor_.take_word();
   const std::size_t length = cursor_.offset() - begin;
   if (!usable || has_frame_time_) {
@@ -327,7 +326,7 @@ void MotionHeaderReader::read_time_value(std::string_view word, std::size_t plac
     report_.add(DiagnosticCode::FrameTimeNotPositive, place,
                 fmt::format("Frame Time '{}' is no time; 1/30 of a second is used.", shown(word)),
                 "seconds per frame", shown(word));
-  } else if (number.value >= kSlowestBelievable) {
+  } else if (number.value >= kFrameTimeEndS) {
     result_.frame_time_s = 1.0 / number.value;
     report_.add(DiagnosticCode::FrameTimeLooksLikeRate, place,
                 fmt::format("Frame Time {} looks like frames per second; 1/{} of a second is used.", shown(word), shown(word)),

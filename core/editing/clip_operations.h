@@ -11,7 +11,7 @@ namespace marey {
 /// character set of the names.
 [[nodiscard]] Edit make_settings_edit(const Clip& clip, const ClipSettings& settings);
 
-/// Changes the time of a frame, so the speed of the clip; the samples stay. > 0.
+/// Changes the time of a frame, so the speed of the clip; the samples stay. Refused on applying if it is no is_frame_time().
 [[nodiscard]] Edit make_frame_time_edit(double frame_time_s);
 
 /// Takes frames out of the clip; those behind them move up. `frames` lies within the clip and leaves one at least, or

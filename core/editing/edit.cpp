@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/bits.h"
+#include "core/motion/frame_time.h"
 
 namespace marey {
 namespace {
@@ -64,6 +65,10 @@ Status check_frames(const Clip& clip, const Edit& edit) {
   if (motion.frame_count() > 0 && motion.frame_count() - removed.count + change.inserted.frame_count() == 0) {
     return refusal(DiagnosticCode::InvalidArgument, "A clip keeps one frame at least.");
   }
+  const std::span<const double> samples = change.inserted.samples();
+  if (!std::all_of(samples.begin(), samples.end(), [](double value) { return std::isfinite(value); })) {
+    return refusal(DiagnosticCode::NotFinite, "The frames to insert hold a value that is not a finite number.");
+  }
   return {};
 }
 
@@ -72,6 +77,11 @@ bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 Status check_scalars(const Edit& edit) {
   if (edit.frame_time_s && !is_positive(*edit.frame_time_s)) {
     return refusal(DiagnosticCode::FrameTimeNotPositive, "The frame time must be more than 0 seconds.");
+  }
+  if (edit.frame_time_s && !is_frame_time(*edit.frame_time_s)) {
+    return refusal(DiagnosticCode::FrameTimeLooksLikeRate,
+                   fmt::format("The frame time must be less than {} seconds; readers take more for frames per second.",
+                               kFrameTimeEndS));
   }
   if (edit.settings && !is_positive(edit.settings->metres_per_unit)) {
     return refusal(DiagnosticCode::InvalidArgument, "The unit of length must be more than 0 metres.");

@@ -47,8 +47,9 @@ struct Edit {
 };
 
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
-/// overlap, a frame time or a unit of length that is not positive; with NotFinite: an offset that is not finite, and a
-/// sample that would stop being finite (one that is not finite already may stay so).
+/// overlap, a unit of length that is not positive; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
+/// is_frame_time(); with NotFinite: an offset that is not finite, a sample that would stop being finite (one that is not
+/// finite already may stay so), and one of the frames to insert.
 [[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);
 
 /// The part of `edit` that changes the clip: samples are cut to the frames from the first to the last whose bits

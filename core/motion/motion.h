@@ -19,7 +19,7 @@ class Motion {
 
   [[nodiscard]] int channel_count() const { return channel_count_; }
   [[nodiscard]] int frame_count() const { return frame_count_; }
-  /// Seconds per frame as the file gives it; > 0 and finite.
+  /// Seconds per frame as the file gives it; see core/motion/frame_time.h for the range.
   [[nodiscard]] double frame_time_s() const { return frame_time_s_; }
   void set_frame_time_s(double frame_time_s) { frame_time_s_ = frame_time_s; }
   /// Time of the last frame, in seconds; the first is at 0.

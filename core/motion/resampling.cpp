@@ -1,11 +1,14 @@
 #include "core/motion/resampling.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "core/math/euler.h"
+#include "core/motion/frame_time.h"
 #include "core/motion/sampling.h"
 
 namespace marey {
@@ -95,6 +98,9 @@ Motion trimmed(const Motion& motion, FrameRange range) {
 Result<Motion> resampled(const Skeleton& skeleton, const Motion& motion, double new_rate_hz) {
   if (!(new_rate_hz > 0.0) || !std::isfinite(new_rate_hz)) {
     return invalid("The new frame rate must be a number above 0.");
+  }
+  if (!is_frame_time(1.0 / new_rate_hz)) {
+    return invalid(fmt::format("The new frame rate must be above {} per second.", 1.0 / kFrameTimeEndS));
   }
   const double old_rate_hz = display_frame_rate_hz(motion.frame_time_s());
   const double last_frame = std::max(motion.frame_count() - 1, 0) * new_rate_hz / old_rate_hz;

@@ -17,7 +17,7 @@ namespace marey {
 /// back to the angles nearest to those of the nearest frame: turns are kept (363 degrees stays 363), and the curves
 /// jump only where they did before. All other channels are linear: positions, hinges, unusual lists of rotations.
 ///
-/// Error InvalidArgument: the rate is not a number above 0, or gives more than kMaxResampledSamples samples.
+/// Error InvalidArgument: the rate is no number, its inverse is no is_frame_time(), or it gives more than kMaxResampledSamples samples.
 [[nodiscard]] Result<Motion> resampled(const Skeleton& skeleton, const Motion& motion, double new_rate_hz);
 
 /// 1 GiB.

@@ -14,6 +14,7 @@
 #include "core/skeleton/skeleton_builder.h"
 #include "core/table/csv.h"
 #include "core/table/table_rows.h"
+#include "core/text/readable.h"
 
 namespace marey {
 namespace {
@@ -201,7 +202,7 @@ Result<Skeleton> skeleton_of(const std::vector<Point>& points) {
 Result<BvhClip> read_channel_table(std::string_view text, const BvhClip& figure, const TableOptions& options) {
   Report report(text, options.strict);
   Table table = open_table(text, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   const std::vector<int> column_of = match_columns(figure.skeleton, table.columns, report);
   report_missing(figure, column_of, report);
   report_unknown(table.columns, report);
@@ -210,9 +211,9 @@ Result<BvhClip> read_channel_table(std::string_view text, const BvhClip& figure,
     if (column >= 0) table.columns[idx(column)].value_before_first = first_value(figure, channel);
   }
   read_rows(table.rows, table.separator, figure.skeleton.channel_count(), options.limits, table.columns, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   const double frame_time_s = find_frame_time(table.columns, row_count_of(table), figure.motion.frame_time_s(), report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   BvhClip clip;
   clip.skeleton = figure.skeleton;
   clip.style = figure.style;
@@ -226,21 +227,21 @@ Result<BvhClip> read_channel_table(std::string_view text, const BvhClip& figure,
 Result<BvhClip> read_points_table(std::string_view text, const TableOptions& options) {
   Report report(text, options.strict);
   Table table = open_table(text, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   const std::vector<Point> points = find_points(table.columns, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   report_unknown(table.columns, report);
   if (size_of(points) > options.limits.max_joints) {
     report.fail(Code::LimitJoints, 0, fmt::format("The table has more than {} points.", options.limits.max_joints));
-    return report.error();
+    return readable(report.error());
   }
   Result<Skeleton> skeleton = skeleton_of(points);
   if (!skeleton) return skeleton.error();
   read_rows(table.rows, table.separator, skeleton->channel_count(), options.limits, table.columns, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   const int rows = row_count_of(table);
   const double frame_time_s = find_frame_time(table.columns, rows, kDefaultFrameTime_s, report);
-  if (report.failed()) return report.error();
+  if (report.failed()) return readable(report.error());
   std::vector<double> samples;
   for (const Point& point : points) {
     for (const auto& [axis, column] : point.axes_and_columns) {

@@ -9,6 +9,7 @@
 #include "core/base/counted.h"
 #include "core/base/index.h"
 #include "core/base/number_text.h"
+#include "core/motion/frame_time.h"
 
 namespace marey {
 namespace {
@@ -170,7 +171,7 @@ double find_frame_time(const std::vector<TableColumn>& columns, int row_count, d
     return fallback_s;
   }
   const std::vector<double>& times = columns[*column].values;
-  if (const std::optional<double> step = exact_step(times); step && *step > 0.0) return *step;
+  if (const std::optional<double> step = exact_step(times); step && is_frame_time(*step)) return *step;
   constexpr double kTolerance = 0.1;
   const double step = (times.back() - times.front()) / (row_count - 1);
   double largest = 0.0;
@@ -184,6 +185,9 @@ double find_frame_time(const std::vector<TableColumn>& columns, int row_count, d
     report.fail(Code::TableTimeUneven, columns[*column].offset,
                 fmt::format("The times do not rise evenly: row {} is off by {:.3g} s from steps of {:.6g} s.", worst + 1,
                             largest, step));
+  } else if (!is_frame_time(step)) {
+    report.fail(Code::FrameTimeLooksLikeRate, columns[*column].offset,
+                fmt::format("The times rise by {:.6g} s from row to row; frames take less than {} s.", step, kFrameTimeEndS));
   } else if (largest > 1e-9 * step) {
     report.add(Code::TableTimeRounded, columns[*column].offset,
                fmt::format("The times are rounded; their mean step of {:.9g} s is used.", step));

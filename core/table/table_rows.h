@@ -39,7 +39,8 @@ void read_rows(FieldReader& rows, char separator, int columns_in_all, const Read
 
 /// Seconds from row to row. When the times are whole multiples of a double, as those of a table written by Marey, that
 /// double exactly; else the mean step, from which no time may be off by more than a tenth of it. `fallback_s` where there
-/// is no such column, or less than two rows. Fails where times are uneven.
+/// is no such column, or less than two rows. Fails where times are uneven, or rise by what
+/// is no is_frame_time().
 [[nodiscard]] double find_frame_time(const std::vector<TableColumn>& columns, int row_count, double fallback_s,
                                      Report& report);
 

@@ -66,6 +66,13 @@ TEST(MotionHeader, AFrameTimeIsSavedAsWrittenUntilItIsEdited) {
   }
 }
 
+TEST(MotionHeader, ARateBelowWhatAFrameTimeCanSayIsLeftOut) {
+  const BvhClip clip = read_or_fail(with_header("MOTION\nFrames: 1\nFrame Rate: 0.05\n1 2 3\n"));
+  EXPECT_EQ(clip.motion.frame_time_s(), 1.0 / 30.0);
+  expect_finding(clip, Code::MissingFrameTime);
+  expect_no_warnings(read_or_fail(written(clip)));
+}
+
 TEST(Offsets, BeyondDoubleAreOneKindOfFinding) {
   const auto file = [](const std::string& x) { return file_with_lines("  End Site\n  {\n    OFFSET " + x + " 1 2\n  }\n", 6); };
   for (const std::string x : {"1e999", "1e-999", "-1e999"}) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/editing/clip_operations.h"
@@ -164,6 +165,23 @@ TEST(Edit, RefusesNumbersThatMeanNothing) {
     edit.offsets = {{node, glm::dvec3(0)}};
     EXPECT_EQ(refusal_of(clip, edit), DiagnosticCode::InvalidArgument);
   }
+}
+
+TEST(Edit, RefusesAFrameTimeThatReadersTakeForARate) {
+  const Clip clip = make_clip(1, 1);
+  Edit edit = make_frame_time_edit(10.0);
+  EXPECT_EQ(refusal_of(clip, edit), DiagnosticCode::FrameTimeLooksLikeRate);
+  edit = make_frame_time_edit(std::nextafter(10.0, 0.0));
+  EXPECT_TRUE(check_edit(clip, edit));
+}
+
+TEST(Edit, RefusesFramesThatAreNotFinite) {
+  const Clip clip = make_clip(1, 3);
+  Edit edit;
+  edit.frames = FramesChange{{1, 1}, Motion(clip.motion.channel_count(), 1, 1.0), {1}};
+  EXPECT_TRUE(check_edit(clip, edit));
+  edit.frames->inserted.channel_samples(2)[0] = kNan;
+  EXPECT_EQ(refusal_of(clip, edit), DiagnosticCode::NotFinite);
 }
 
 TEST(Edit, FramesAreTheHullOfTheSamples) {

@@ -134,7 +134,7 @@ TEST(Resampled, KeepsUniversalJointsOnTheirTwoAxes) {
 
 TEST(Resampled, RefusesRatesThatAreNone) {
   const Skeleton skeleton = figures::make_gymnast();
-  for (double rate_hz : {0.0, -30.0, HUGE_VAL, std::numeric_limits<double>::quiet_NaN(), 1e12}) {
+  for (double rate_hz : {0.0, -30.0, HUGE_VAL, std::numeric_limits<double>::quiet_NaN(), 1e12, 0.1, 1e-310}) {
     const Result<Motion> result = resampled(skeleton, figures::make_giant_swing(), rate_hz);
     ASSERT_FALSE(result.has_value()) << rate_hz;
     EXPECT_EQ(result.error().code, DiagnosticCode::InvalidArgument);

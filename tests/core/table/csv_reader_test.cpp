@@ -148,6 +148,7 @@ TEST(TableTimes, ComeBackBitForBitOrAsTheirMean) {
   EXPECT_EQ(points_refused(table({"0", "0.1", "0.3"})).code, Code::TableTimeUneven);
   EXPECT_THAT(points_refused(table({"0", "0.1", "0.3"})).message, HasSubstr("row 2"));
   EXPECT_EQ(points_refused(table({"0", "0", "0"})).code, Code::TableTimeUneven);
+  EXPECT_EQ(points_refused(table({"0", "10", "20"})).code, Code::FrameTimeLooksLikeRate);
   EXPECT_NE(read_points_table(table({"0.000", "0.033", "0.067", "0.100"}))->diagnostics.find(Code::TableTimeRounded), nullptr);
   EXPECT_NE(read_points_table("P.x\n1\n2\n")->diagnostics.find(Code::TableTimeMissing), nullptr);
 }
