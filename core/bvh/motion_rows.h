@@ -28,6 +28,7 @@ struct MotionRows {
   int frame_count = 0;
   MotionStyle style;            ///< but for the tail
   std::size_t end = 0;          ///< behind the last sample
+  bool lines_are_new = false;   ///< every frame gets a line of its own, whatever lines the file had
 };
 
 /// Reads frames until the text ends or says something else. What `Frames:` promises is compared, not trusted.

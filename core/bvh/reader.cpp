@@ -13,6 +13,7 @@
 #include "core/bvh/hierarchy_text.h"
 #include "core/bvh/motion_header.h"
 #include "core/bvh/motion_rows.h"
+#include "core/bvh/row_text.h"
 #include "core/bvh/text_encoding.h"
 #include "core/bvh/wide_blanks.h"
 #include "core/text/readable.h"
@@ -159,6 +160,8 @@ void BvhReader::keep_style(MotionRows& rows) {
   BvhStyle& style = clip_.style;
   style.motion = std::move(rows.style);
   style.motion.tail = whole_text_.substr(rows.end);
+  // In the line of the last row, text would be read as its surplus values.
+  if (rows.lines_are_new && !trimmed(first_line(style.motion.tail)).empty()) style.motion.tail.insert(0, style.header.line_end);
 }
 
 /// Keeps the text before the rows if it says what was understood, or can be made to say it by edits here and there.

@@ -185,9 +185,9 @@ MotionRows RowReader::take_result() {
   result.samples = store_.take_samples();
   result.style.columns = std::move(survey_.columns);
   result.style.frame_count = result.frame_count;
-  const bool structure_is_lost = repaired_ || odd_tokens_.overflowed();
+  result.lines_are_new = repaired_ || odd_tokens_.overflowed();
   odd_tokens_.move_into(result.style);
-  if (structure_is_lost) give_each_frame_a_line(result.style, std::string(input_.line_end));
+  if (result.lines_are_new) give_each_frame_a_line(result.style, std::string(input_.line_end));
   return result;
 }
 

@@ -16,9 +16,10 @@ int count_values(std::string_view line, const NumberLook& look) {
   int count = 0;
   for (;;) {
     line.remove_prefix(gap_length(line, look));
-    if (line.empty() || starts_comment(line)) return count;
-    line.remove_prefix(value_length(line, look));
-    ++count;
+    if (line.empty()) return count;
+    const std::size_t comment = comment_length(line);
+    line.remove_prefix(comment > 0 ? comment : value_length(line, look));
+    count += comment > 0 ? 0 : 1;
   }
 }
 

@@ -27,7 +27,7 @@ struct NumberLook {
 /// Length of the value (or of a word in its place) at the start of `text`, which is no separator.
 [[nodiscard]] std::size_t value_length(std::string_view text, const NumberLook& look);
 
-/// Counts the values of `line`, up to a comment.
+/// Counts the values of `line` outside of comments.
 [[nodiscard]] int count_values(std::string_view line, const NumberLook& look);
 
 /// The text up to the next line end.

@@ -1,0 +1,42 @@
+// Defects that tests/fuzz found, each as small as it gets.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/table/csv_reader.h"
+#include "core/text/utf8.h"
+#include "tests/core/bvh/bvh_texts.h"
+
+namespace marey {
+namespace {
+
+using namespace test;
+using Code = DiagnosticCode;
+
+TEST(FoundByFuzzing, ACommentAmidARowDoesNotEndIt) {
+  for (const std::string rows : {"1 2 3\n4 /* e */ 5 6\n7 8 9\n", "1 2 3\n4 5 6\n7 /* 0 */ 8 /*e*/ 9\n", "/* a */ 1 2 3\n4 5 6\n7 8 9\n"}) {
+    const std::string text = one_joint_file("3", rows);
+    const BvhClip clip = read_or_fail(text);
+    EXPECT_EQ(rows_of(clip), three_rows()) << rows;
+    EXPECT_EQ(written(clip), text);
+    expect_no_warnings(clip);
+  }
+}
+
+TEST(FoundByFuzzing, WordsBehindTheLastRowAreNotReadAsItsValuesWhenSavedTwice) {
+  const BvhClip clip = read_or_fail(with_motion("MOTION\nFrames:\nFrame Time: 0.1 1.0\n x 3 notes\n"));
+  EXPECT_EQ(rows_of(clip), (Rows{{1, 0, 3}}));
+  const std::string once = written(clip);
+  EXPECT_EQ(written(read_or_fail(once)), once);
+}
+
+TEST(FoundByFuzzing, RefusalsOfTablesAreUtf8) {
+  const Result<BvhClip> clip = read_points_table("time,a.x\n\xff\xfe,1\n");
+  ASSERT_FALSE(clip);
+  EXPECT_EQ(clip.error().code, Code::BadNumber);
+  EXPECT_TRUE(is_utf8(clip.error().message)) << clip.error().message;
+  EXPECT_TRUE(is_utf8(clip.error().found));
+}
+
+}  // namespace
+}  // namespace marey
