@@ -11,8 +11,8 @@ class Random {
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
   [[nodiscard]] std::uint64_t bits() { return engine_(); }
-  /// 0 <= result < end; end > 0.
-  [[nodiscard]] int below(int end) { return static_cast<int>(engine_() % static_cast<std::uint64_t>(end)); }
+  /// 0 <= result < end; 0 for end <= 0.
+  [[nodiscard]] int below(int end) { return end <= 0 ? 0 : static_cast<int>(engine_() % static_cast<std::uint64_t>(end)); }
   [[nodiscard]] bool one_in(int n) { return below(n) == 0; }
   /// Uniform in [0, 1).
   [[nodiscard]] double unit() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }

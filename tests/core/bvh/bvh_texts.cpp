@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "core/base/index.h"
 
 namespace marey::test {
@@ -89,20 +87,6 @@ std::string listing(const BvhClip& clip) {
                         diagnostic_id(d.code), d.count, d.message);
   }
   return text;
-}
-
-bool same_numbers(const Skeleton& a, const Motion& motion_a, const Skeleton& b, const Motion& motion_b) {
-  const auto same = [](double x, double y) { return std::memcmp(&x, &y, sizeof x) == 0; };
-  if (a.node_count() != b.node_count() || motion_a.samples().size() != motion_b.samples().size()) return false;
-  for (NodeIndex node = 0; node < a.node_count(); ++node) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!same(a.node(node).offset[axis], b.node(node).offset[axis])) return false;
-    }
-  }
-  for (std::size_t i = 0; i < motion_a.samples().size(); ++i) {
-    if (!same(motion_a.samples()[i], motion_b.samples()[i])) return false;
-  }
-  return motion_a.frame_count() == motion_b.frame_count() && same(motion_a.frame_time_s(), motion_b.frame_time_s());
 }
 
 void expect_round_trip(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {

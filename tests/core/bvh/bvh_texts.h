@@ -6,6 +6,7 @@
 
 #include "core/bvh/reader.h"
 #include "core/bvh/writer.h"
+#include "tests/support/same_bits.h"
 
 namespace marey::test {
 
@@ -66,9 +67,6 @@ void expect_no_warnings(const BvhClip& clip);
 
 /// "3:5 warning bad_number x2: ..." for messages of tests.
 [[nodiscard]] std::string listing(const BvhClip& clip);
-
-/// True if both hold the same bits: samples, offsets, frame time.
-[[nodiscard]] bool same_numbers(const Skeleton& a, const Motion& motion_a, const Skeleton& b, const Motion& motion_b);
 
 /// Expects that writing the clip and reading the text gives the same numbers and the same tree, and that writing once
 /// more gives the same text.

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <string>
 #include <utility>
@@ -16,12 +15,6 @@ namespace marey::test {
 namespace {
 
 constexpr double kFrameTimeS = 1.0 / 30.0;
-
-std::uint64_t bits(double value) {
-  std::uint64_t result = 0;
-  std::memcpy(&result, &value, sizeof result);
-  return result;
-}
 
 double make_special_number(Random& random) {
   using Limits = std::numeric_limits<double>;
@@ -136,22 +129,6 @@ Edit make_random_edit(Random& random, const Clip& clip) {
     default:
       return make_random_samples_edit(random, clip);
   }
-}
-
-std::vector<std::uint64_t> bits_of(const Clip& clip) {
-  std::vector<std::uint64_t> result;
-  for (const double sample : clip.motion.samples()) result.push_back(bits(sample));
-  for (const Node& node : clip.skeleton.nodes()) {
-    for (int axis = 0; axis < 3; ++axis) result.push_back(bits(node.offset[axis]));
-  }
-  for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
-    result.push_back(static_cast<std::uint64_t>(clip.file_frames.empty() ? frame : clip.file_frames[idx(frame)]));
-  }
-  result.push_back(bits(clip.motion.frame_time_s()));
-  result.push_back(bits(clip.settings.metres_per_unit));
-  result.push_back(static_cast<std::uint64_t>(clip.settings.up_axis));
-  result.push_back(static_cast<std::uint64_t>(clip.settings.position_rule));
-  return result;
 }
 
 std::vector<double> samples_of(const Clip& clip, ChannelIndex channel) {
