@@ -20,6 +20,11 @@ export async function setUpBench() {
   await needImgui();
 }
 
+export function setUpFuzz() {
+  needNode();
+  needSystemPackages(["native", "fuzz"]);
+}
+
 export async function setUpPage() {
   needNode();
   needSystemPackages(["native", "page"]);

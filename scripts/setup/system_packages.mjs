@@ -9,6 +9,7 @@ const debianPackages = {
     "nlohmann-json3-dev", "googletest"],
   page: [...emscripten, "xz-utils"],
   bench: ["libbenchmark-dev"],
+  fuzz: ["clang", "libclang-rt-dev"],
   test: ["chromium", "universal-ctags"],
   engines: ["firefox-esr", "xvfb", "xauth", "libgl1-mesa-dri", "webkit2gtk-driver"],
 };
@@ -22,6 +23,7 @@ const elsewhere = {
   },
   page: { programs: [...emscripten.map(() => "em++"), "xz"], fedora: "emscripten xz", brew: "emscripten xz" },
   bench: { programs: [], fedora: "google-benchmark-devel", brew: "google-benchmark" },
+  fuzz: { programs: ["clang++"], fedora: "clang compiler-rt", brew: "llvm" },
   test: { programs: ["ctags"], fedora: "chromium ctags", brew: "universal-ctags" },
   engines: { programs: ["xvfb-run"], fedora: "firefox xorg-x11-server-Xvfb webkitgtk6.0", brew: "" },
 };
