@@ -53,7 +53,7 @@ Lines find_comma_lines(std::string_view rows) {
   while (!rows.empty() && size_of(lines) < kMostLines) {
     const std::string_view line = first_line(rows);
     if (has_comma(line) && !starts_comment(trimmed(line)) && is_row_like(line)) lines.push_back(line);
-    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
+    rows = behind_first_line(rows);
   }
   return lines;
 }
@@ -116,7 +116,7 @@ std::vector<std::string_view> find_value_lines(std::string_view rows, int channe
     const bool is_row = begins_with_number || (is_row_like(content) && count_values(content, kPlain) == channel_count);
     if (!content.empty() && !is_row) break;
     if (!content.empty() && !(cut_by_limit && !lines.empty())) lines.push_back(line);
-    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
+    rows = behind_first_line(rows);
   }
   return lines;
 }
@@ -128,7 +128,7 @@ RowCensus take_census(std::string_view rows, const NumberLook& look) {
     const int values = count_values(line, look);
     census.lines += values > 0 ? 1 : 0;
     census.values += values;
-    rows.remove_prefix(std::min(rows.size(), line.size() + 1));
+    rows = behind_first_line(rows);
   }
   return census;
 }

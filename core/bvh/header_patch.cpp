@@ -98,6 +98,13 @@ std::string HeaderPatches::applied_to(std::string_view text, std::string_view li
   return out;
 }
 
+std::string indent_at(std::string_view indent, std::size_t depth) {
+  constexpr std::size_t kWidest = 256;
+  std::string result;
+  for (std::size_t i = 0; i < depth && result.size() + indent.size() <= kWidest && !indent.empty(); ++i) result += indent;
+  return result;
+}
+
 std::string indent_before(std::string_view text, std::size_t place) {
   const std::size_t begin = before_blanks(text, place);
   const bool opens_line = begin == 0 || is_line_end(text[begin - 1]);

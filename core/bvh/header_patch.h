@@ -42,6 +42,10 @@ class HeaderPatches {
   bool is_local_ = true;
 };
 
+/// `depth` times `indent`, but at most 256 bytes: deeper lines are indented no further, so that a deep tree does not take
+/// memory by the square of its depth.
+[[nodiscard]] std::string indent_at(std::string_view indent, std::size_t depth);
+
 /// The blanks before text[place] in its line, if only blanks stand there; else one blank.
 [[nodiscard]] std::string indent_before(std::string_view text, std::size_t place);
 

@@ -7,6 +7,7 @@
 #include "core/base/bits.h"
 #include "core/base/index.h"
 #include "core/base/text_cursor.h"
+#include "core/bvh/header_patch.h"
 #include "core/bvh/joint_name.h"
 
 namespace marey {
@@ -84,7 +85,7 @@ class HeaderPrinter {
 
  private:
   void begin_line() {
-    for (std::size_t i = 0; i < open_.size(); ++i) out_ += style_.indent;
+    out_ += indent_at(style_.indent, open_.size());
   }
   void end_line() { out_ += style_.line_end; }
   void print_line(std::string_view text) {

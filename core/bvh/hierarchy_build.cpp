@@ -201,8 +201,7 @@ void HierarchyBuilder::add_closing_braces(std::size_t place) {
   const bool opens_line = at == 0 || is_line_end(text_[at - 1]);
   std::string braces = opens_line ? "" : "\n";
   for (std::size_t depth = open_is_joint_.size(); depth > 0; --depth) {
-    for (std::size_t i = 1; i < depth; ++i) braces += indent_;
-    braces += "}\n";
+    braces += indent_at(indent_, depth - 1) + "}\n";
   }
   result_.patches.insert(opens_line ? at : place, braces);
 }

@@ -91,7 +91,7 @@ bool RowReader::is_text_between_rows(const char* p) const {
     if (count > 0 && starts_like_number(words.substr(0, value_length(words, survey_.look)))) {
       return fits && holds_only_numbers(words, count, survey_.look);
     }
-    left.remove_prefix(std::min(left.size(), line.size() + 1));
+    left = behind_first_line(left);
   }
   return false;
 }
@@ -137,7 +137,7 @@ bool RowReader::surplus_rows_are_frames(const char* p) {
       if (!fits && !is_last) ++others;
       if (!fits && is_last && count > channel_count_) ++others;
     }
-    left.remove_prefix(std::min(left.size(), line.size() + 1));
+    left = behind_first_line(left);
   }
   keeps_surplus_rows_ = fitting > others || others == 0;
   return *keeps_surplus_rows_;

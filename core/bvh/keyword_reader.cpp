@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/bvh/row_text.h"
+
 namespace marey {
 namespace {
 
@@ -24,7 +26,7 @@ bool goes_on_with_hierarchy(std::string_view text) {
   while (!text.empty()) {
     const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
     if (equal_ignoring_case(trimmed(line), keyword_text(Keyword::Hierarchy))) return true;
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    text = behind_first_line(text);
   }
   return false;
 }

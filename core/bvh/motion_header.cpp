@@ -21,7 +21,7 @@ bool keyword_is_near(std::string_view text) {
   for (int i = 0; i < kNear && !text.empty(); ++i) {
     const std::string_view line = first_line(text);
     if (find_keyword(TextCursor(trimmed(line), 0).peek_word()) != Keyword::None) return true;
-    text.remove_prefix(std::min(text.size(), line.size() + 1));
+    text = behind_first_line(text);
   }
   return false;
 }

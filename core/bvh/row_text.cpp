@@ -25,6 +25,12 @@ int count_values(std::string_view line, const NumberLook& look) {
 
 std::string_view first_line(std::string_view text) { return text.substr(0, find_either(text, '\r', '\n')); }
 
+std::string_view behind_first_line(std::string_view text) {
+  text.remove_prefix(first_line(text).size());
+  const bool is_pair = text.substr(0, 2) == "\r\n";
+  return text.substr(std::min<std::size_t>(is_pair ? 2 : 1, text.size()));
+}
+
 std::size_t gap_length(std::string_view text, const NumberLook& look) {
   std::size_t at = 0;
   while (at < text.size() && is_separator(text[at], look)) ++at;

@@ -32,6 +32,8 @@ struct NumberLook {
 
 /// The text up to the next line end.
 [[nodiscard]] std::string_view first_line(std::string_view text);
+/// The text behind its first line end, of which CRLF is one.
+[[nodiscard]] std::string_view behind_first_line(std::string_view text);
 
 /// Length of the separators at the start of `text`.
 [[nodiscard]] std::size_t gap_length(std::string_view text, const NumberLook& look);

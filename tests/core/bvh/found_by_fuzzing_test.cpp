@@ -30,6 +30,22 @@ TEST(FoundByFuzzing, WordsBehindTheLastRowAreNotReadAsItsValuesWhenSavedTwice) {
   EXPECT_EQ(written(read_or_fail(once)), once);
 }
 
+TEST(FoundByFuzzing, TextBetweenRowsIsAsLongWithCrLfAsWithLf) {
+  const std::string text = one_joint_file("3", "1 2 3\nthese\nare\nnotes\nof\nmine\n4 5 6\n7 8 9\n");
+  EXPECT_EQ(rows_of(read_or_fail(text)), three_rows());
+  EXPECT_EQ(rows_of(read_or_fail(replaced(text, "\n", "\r\n"))), three_rows());
+}
+
+TEST(FoundByFuzzing, ADeepTreeIsNotIndentedByTheSquareOfItsDepth) {
+  constexpr int kDepth = 1'900;
+  std::string text = "HIERARCHY\nROOT a\n{\n" + std::string(100, ' ') + "OFFSET 0 0 0\nCHANNELS 0\n";
+  for (int i = 1; i < kDepth; ++i) text += "JOINT b{";
+  const BvhClip clip = read_or_fail(text);
+  EXPECT_EQ(clip.skeleton.joint_count(), kDepth);
+  EXPECT_LT(written(clip).size(), 200 * text.size());
+  EXPECT_LT(write_bvh(clip.skeleton, clip.motion, {}).size(), 200 * text.size());
+}
+
 TEST(FoundByFuzzing, RefusalsOfTablesAreUtf8) {
   const Result<BvhClip> clip = read_points_table("time,a.x\n\xff\xfe,1\n");
   ASSERT_FALSE(clip);
