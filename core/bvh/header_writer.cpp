@@ -9,6 +9,8 @@
 #include "core/base/text_cursor.h"
 #include "core/bvh/header_patch.h"
 #include "core/bvh/joint_name.h"
+#include "core/bvh/keyword.h"
+#include "core/bvh/row_text.h"
 
 namespace marey {
 namespace {
@@ -109,7 +111,9 @@ std::string printable_channel(const Channel& channel) {
   if (channel.kind != ChannelKind::Other) return std::string(channel_keyword(channel.kind));
   std::string result = printable_joint_name(channel.other_name);
   std::replace_if(result.begin(), result.end(), is_blank, '_');
-  return result.empty() ? "Unknown" : result;
+  if (result.empty()) return "Unknown";
+  const bool ends_the_list = find_keyword(result) != Keyword::None || starts_comment(result);
+  return ends_the_list ? "_" + result : result;
 }
 
 void HeaderPrinter::open(std::string_view keyword, std::string_view name, JointIndex joint) {

@@ -46,6 +46,19 @@ TEST(FoundByFuzzing, ADeepTreeIsNotIndentedByTheSquareOfItsDepth) {
   EXPECT_LT(write_bvh(clip.skeleton, clip.motion, {}).size(), 200 * text.size());
 }
 
+TEST(FoundByFuzzing, AChannelCalledLikeAKeywordOrACommentIsPrintedAsAName) {
+  for (const std::string name : {"\"End\"", "\"JOINT\"", "\"#1\"", "\"/*x\""}) {
+    SCOPED_TRACE(name);
+    const std::string text = file_with_lines("  JOINT b { OFFSET 0 1 0 CHANNELS 2 " + name + " Grip\n }\n {\n }\n", 8);
+    const BvhClip clip = read_or_fail(text);
+    ASSERT_EQ(clip.skeleton.channel_count(), 8);
+    const BvhClip plain = read_or_fail(write_bvh(clip.skeleton, clip.motion, {}));
+    EXPECT_TRUE(same_numbers(clip.skeleton, clip.motion, plain.skeleton, plain.motion));
+    const BvhClip again = read_or_fail(written(clip));
+    EXPECT_TRUE(same_numbers(clip.skeleton, clip.motion, again.skeleton, again.motion)) << written(clip);
+  }
+}
+
 TEST(FoundByFuzzing, RefusalsOfTablesAreUtf8) {
   const Result<BvhClip> clip = read_points_table("time,a.x\n\xff\xfe,1\n");
   ASSERT_FALSE(clip);
