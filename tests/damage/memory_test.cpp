@@ -1,7 +1,6 @@
 // How much memory reading takes for each byte of a file, where the bytes are chosen to take as much as they can.
 #include <gtest/gtest.h>
 
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -67,7 +66,7 @@ TEST_P(Memory, OfReadingIsBoundedByTheFile) {
     const HeapPeak peak;
     (void)read_bvh(text, {.strict = strict, .limits = {}});
     EXPECT_LE(peak.bytes(), most_bytes(text.size())) << text.size();
-    RecordProperty(strict ? "strict" : "bytes_per_byte", static_cast<int>(peak.bytes() / text.size()));
+    if (!strict) RecordProperty("bytes_per_byte", static_cast<int>(peak.bytes() / text.size()));
   }
 }
 
@@ -75,7 +74,7 @@ INSTANTIATE_TEST_SUITE_P(Texts, Memory, testing::ValuesIn(greedy_texts()), [](co
 
 TEST(TableMemory, OfReadingIsBoundedByTheFile) {
   const BvhClip figure_of_table = read_or_fail(one_joint_file("1", "1 2 3\n"));
-  const std::string texts[] = {"a.x" + repeated(",a.x", 9'000) + "\n" + repeated("1", 1), repeated("a,", 300'000), repeated(",", 300'000),
+  const std::string texts[] = {"a.x" + repeated(",a.x", 9'000) + "\n" + "1", repeated("a,", 300'000), repeated(",", 300'000),
                                "time,a.x\n" + repeated("1,1\n", 100'000), "a.x\n" + repeated("1\n", 200'000),
                                "Hips.Zrotation\n" + repeated("1\n", 200'000), repeated("\"", 300'000)};
   for (const std::string& text : texts) {
@@ -83,7 +82,6 @@ TEST(TableMemory, OfReadingIsBoundedByTheFile) {
     (void)read_points_table(text);
     (void)read_channel_table(text, figure_of_table);
     EXPECT_LE(peak.bytes(), most_bytes(text.size())) << text.substr(0, 20);
-    std::cout << text.substr(0, 12) << " " << peak.bytes() / text.size() << "\n";
   }
 }
 

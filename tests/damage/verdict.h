@@ -31,6 +31,6 @@ class Verdict {
 };
 
 /// The memory that reading a file may take, text included: see docs/limits.md.
-[[nodiscard]] constexpr std::size_t most_bytes(std::size_t file_size) { return 65'536 + 400 * file_size; }
+[[nodiscard]] constexpr std::size_t most_bytes(std::size_t file_size) { return 65'536 + 256 * file_size; }
 
 }  // namespace marey::test

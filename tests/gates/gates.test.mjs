@@ -8,6 +8,7 @@ import { fileURLToPath } from "node:url";
 import * as diagnostics from "./diagnostics.mjs";
 import * as foreignNames from "./foreign_names.mjs";
 import * as layering from "./layering.mjs";
+import * as limits from "./limits.mjs";
 import * as pureCore from "./pure_core.mjs";
 import * as readmeCommands from "./readme_commands.mjs";
 import * as sizes from "./sizes.mjs";
@@ -23,7 +24,7 @@ function readRepository() {
 }
 
 const files = readRepository();
-for (const gate of [layering, webImports, pureCore, sizes, readmeCommands, diagnostics, foreignNames]) {
+for (const gate of [layering, webImports, pureCore, sizes, readmeCommands, diagnostics, limits, foreignNames]) {
   test(gate.name, (t) => {
     const { checked, problems } = gate.check(files);
     t.diagnostic(`${gate.name}: ${checked} ${gate.unit} checked`);

@@ -12,13 +12,13 @@ const programs = {
   WebAssembly: ["node", join(root, "scripts/run_wasm_program.cjs"), join(root, "build/wasm/tests/marey_damage_tests.cjs")],
 };
 
-/** What each of the program's tests recorded, by name. */
+/** The verdicts that the program's tests recorded, by name; those that record none only have to pass. */
 function runProgram(name, folder) {
   const report = join(folder, `${name}.json`);
   const [command, ...args] = programs[name];
   const { status, stdout, stderr } = spawnSync(command, [...args, `--gtest_output=json:${report}`], { encoding: "utf8" });
   assert.equal(status, 0, `${name}: ${stdout}${stderr}`);
-  const tests = JSON.parse(readFileSync(report, "utf8")).testsuites.flatMap((suite) => suite.testsuite);
+  const tests = JSON.parse(readFileSync(report, "utf8")).testsuites.flatMap((suite) => suite.testsuite).filter(({ verdict }) => verdict);
   return new Map(tests.map((result) => [`${result.classname}.${result.name}`, result.verdict]));
 }
 
