@@ -58,7 +58,7 @@ Edit take_frames_edit(InputBytes& script, const Clip& clip) {
 Edit take_settings_edit(InputBytes& script, const Clip& clip) {
   ClipSettings settings = clip.settings;
   settings.up_axis = static_cast<Axis>(script.take_below(3));
-  settings.position_rule = script.take_below(2) == 0 ? PositionRule::Add : PositionRule::Replace;
+  settings.position_rule = static_cast<PositionRule>(script.take_below(size_of(kPositionRuleIds)));
   settings.metres_per_unit = take_number(script);
   settings.names_in = kCharacterSets[idx(script.take_below(size_of(kCharacterSets)))];
   return make_settings_edit(clip, settings);
