@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
 
+#include "core/kinematics/block_kernels.h"
 #include "core/motion/motion.h"
 #include "core/skeleton/position_rule.h"
 #include "core/skeleton/skeleton.h"
@@ -18,14 +18,11 @@ namespace marey {
 /// come depth first, so only the ancestors of the present node are kept. All of it is allocated on construction.
 class FrameBlock {
  public:
-  static constexpr int kMaxFrames = 64;
+  static constexpr int kMaxFrames = kMostBlockFrames;
 
-  /// A quantity over the frames of the block.
-  using Column = std::array<double, kMaxFrames>;
+  using Column = BlockColumn;
   /// World position of a node, in file units.
-  struct Positions {
-    Column x, y, z;
-  };
+  using Positions = PositionColumns;
 
   /// Prepares to compute `nodes`: in file order, and with each node its parent. Skeleton and motion must outlive the
   /// block.
@@ -45,9 +42,9 @@ class FrameBlock {
   }
 
  private:
-  // World transform of a joint: unit quaternion and origin.
+  // World transform of a joint.
   struct JointColumns {
-    Column w, x, y, z;
+    QuaternionColumns rotation;
     Positions positions;
   };
   // A channel that moves its joint. `samples` is the curve over the whole motion.
@@ -78,7 +75,13 @@ class FrameBlock {
   }
   void place(const Step& step, FrameRange frames);
   void turn(const Step& step, FrameRange frames);
+  void fetch_ahead(const double* samples, FrameIndex first) const;
 
+  FrameIndex frame_count_;
+  const BlockKernels& kernels_ = block_kernels();
+  Positions local_;
+  Column half_sines_;  // of the angles of one channel
+  Column half_cosines_;
   std::vector<Drive> drives_;
   std::vector<Step> steps_;
   std::vector<JointColumns> ancestors_;  // [0] is the world itself
