@@ -163,16 +163,31 @@ bool reads_back_as(const Motion& motion, const std::string& text) {
                     again->motion.samples().end(), same_bits<double>);
 }
 
-}  // namespace
+/// What commas mean is a matter of all rows together, see core/bvh/comma_habit.h.
+bool has_commas(const MotionStyle& style) {
+  return std::any_of(style.columns.begin(), style.columns.end(), [](const ColumnStyle& column) {
+    return column.format.point == ',' || column.gap.find_first_of(",;") != std::string::npos;
+  });
+}
 
-std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {
+/// Header and rows, without what stands behind them.
+std::string print(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style, const MotionStyle& rows) {
   constexpr std::size_t kUsualNumber = 11;
   std::string out;
   out.reserve(style.header_text.text.size() + motion.samples().size() * kUsualNumber + style.motion.tail.size() + 4096);
   append_header(skeleton, motion, style, out);
-  if (motion.channel_count() > 0) {
-    const MotionStyle rows = fitted_style(motion, style);
-    RowWriter(motion, rows, out).write_all();
+  if (motion.channel_count() > 0) RowWriter(motion, rows, out).write_all();
+  return out;
+}
+
+}  // namespace
+
+std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {
+  MotionStyle rows = fitted_style(motion, style);
+  std::string out = print(skeleton, motion, style, rows);
+  if (has_commas(rows) && !reads_back_as(motion, out + style.header.line_end)) {
+    give_each_frame_a_line(rows, style.header.line_end);
+    out = print(skeleton, motion, style, rows);
   }
   const std::size_t end = out.size();
   out += style.motion.tail;

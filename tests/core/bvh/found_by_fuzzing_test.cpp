@@ -59,6 +59,16 @@ TEST(FoundByFuzzing, AChannelCalledLikeAKeywordOrACommentIsPrintedAsAName) {
   }
 }
 
+TEST(FoundByFuzzing, EditedRowsAreSavedWithoutCommasWhereTheseWouldBeTakenForBlanks) {
+  std::string rows;
+  for (int i = 0; i < 20; ++i) rows += i % 3 == 0 ? "0\t0\t0\n" : "1,5;2,5;3,5\n";
+  BvhClip clip = read_or_fail(one_joint_file("20", rows));
+  ASSERT_EQ(clip.motion.sample(0, 1), 1.5);
+  for (FrameIndex frame = 0; frame < 20; frame += 3) clip.motion.channel_samples(0)[static_cast<std::size_t>(frame)] = 0.25;
+  const BvhClip again = read_or_fail(written(clip));
+  EXPECT_TRUE(same_numbers(clip.skeleton, clip.motion, again.skeleton, again.motion)) << written(clip);
+}
+
 TEST(FoundByFuzzing, RefusalsOfTablesAreUtf8) {
   const Result<BvhClip> clip = read_points_table("time,a.x\n\xff\xfe,1\n");
   ASSERT_FALSE(clip);
