@@ -2,12 +2,15 @@
 #include <fast_float/fast_float.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/bits.h"
+#include "core/base/fixed_number.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_number.h"
 #include "tests/numbers/number_cases.h"
@@ -38,15 +41,33 @@ class Comparison {
       ++plain_;
       agree = agree && plain.end == padded_.data() + text.size() && same_bits(plain.value(), expected);
     }
+    if (const auto value = read_with_known_decimals(text)) {
+      ++known_decimals_;
+      agree = agree && same_bits(*value, expected);
+    }
     if (!agree) ADD_FAILURE() << text;
   }
   [[nodiscard]] std::int64_t compared() const { return compared_; }
   [[nodiscard]] std::int64_t plain() const { return plain_; }
+  [[nodiscard]] std::int64_t known_decimals() const { return known_decimals_; }
 
  private:
+  /// Nothing for what is not of that kind. Precondition: padded_ holds `text`.
+  [[nodiscard]] std::optional<double> read_with_known_decimals(const std::string& text) const {
+    const std::size_t point = text.find('.');
+    const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
+    if (decimals < 1 || decimals > FixedNumberReader::kMostDecimals) return std::nullopt;
+    double value = 0.0;
+    const FixedNumberReader reader(static_cast<int>(decimals));
+    const char* end = reader.read(padded_.data(), detail::load_eight(padded_.data()), 0, value);
+    if (end == nullptr) return std::nullopt;
+    return end == padded_.data() + text.size() ? value : std::nan("");
+  }
+
   std::string padded_;
   std::int64_t compared_ = 0;
   std::int64_t plain_ = 0;
+  std::int64_t known_decimals_ = 0;
 };
 
 #ifdef __EMSCRIPTEN__
@@ -79,9 +100,10 @@ TEST(NumberReading, IsRoundedCorrectly) {
     }
   }
   EXPECT_GT(compare.plain(), cases / 4);
+  EXPECT_GT(compare.known_decimals(), cases / 8);
   EXPECT_GT(halfway, cases / 100);
   std::cout << compare.compared() << " numbers read and compared with fast_float and strtod, " << compare.plain()
-            << " of them by the reader of rows too, " << halfway << " within a digit of halfway between two doubles\n";
+            << " of them by the reader of rows too, " << compare.known_decimals() << " as a column of known decimals, " << halfway << " within a digit of halfway between two doubles\n";
 }
 
 TEST(NumberReading, HalfwayCasesAreHard) {

@@ -24,6 +24,23 @@ marey::SaveOptions save_options(int decimals, int line_end) {
   return options;
 }
 
+namespace {
+
+/// A single frame, asked for again and again by whoever plays or scrubs, is not worth a FrameBlock.
+void compute_one_frame(ModuleClip& clip, int frame) {
+  const marey::BvhClip& bvh = clip.bvh;
+  clip.local.resize(bvh.skeleton);
+  clip.world.resize(bvh.skeleton);
+  compute_local_pose(bvh.skeleton, bvh.motion, frame, bvh.position_rule, clip.local);
+  compute_world_pose(bvh.skeleton, clip.local, clip.world);
+  float* out = clip.world_positions.data();
+  for (const glm::dvec3& position : clip.world.world_positions) {
+    for (int axis = 0; axis < 3; ++axis) *out++ = static_cast<float>(position[axis]);
+  }
+}
+
+}  // namespace
+
 /// The functions that web/module/marey.ts calls. Text comes in as address and size in bytes, in memory from malloc that
 /// the caller releases; what goes out stays at the returned address until the next call with the same clip.
 /// Indices are in range: the caller checks them.
@@ -57,8 +74,12 @@ EMSCRIPTEN_KEEPALIVE double* marey_clip_samples(ModuleClip* clip, int channel) {
 EMSCRIPTEN_KEEPALIVE const float* marey_clip_world_positions(ModuleClip* clip, int first, int count) {
   const marey::BvhClip& bvh = clip->bvh;
   clip->world_positions.resize(marey::idx(count) * marey::idx(bvh.skeleton.node_count()) * 3);
-  compute_world_positions(bvh.skeleton, bvh.motion, {first, count}, bvh.position_rule,
-                          std::span<float>(clip->world_positions));
+  if (count == 1) {
+    compute_one_frame(*clip, first);
+  } else {
+    compute_world_positions(bvh.skeleton, bvh.motion, {first, count}, bvh.position_rule,
+                            std::span<float>(clip->world_positions));
+  }
   return clip->world_positions.data();
 }
 

@@ -8,6 +8,7 @@
 #include "core/bvh/writer.h"
 #include "core/interchange/export.h"
 #include "core/kinematics/forward_kinematics.h"
+#include "core/kinematics/pose.h"
 
 /// A clip that JavaScript holds by its address, and the memory of what it was last asked for.
 struct ModuleClip {
@@ -16,6 +17,8 @@ struct ModuleClip {
   std::string text;
   std::string report;  ///< of the last export
   std::vector<float> world_positions;
+  marey::LocalPose local;
+  marey::WorldPose world;
 };
 
 /// Makes a clip of what was read, with its description as its text; or leaves the error there.
