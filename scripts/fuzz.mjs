@@ -18,7 +18,7 @@ function readArguments([minutes = "1", target]) {
 }
 
 function libFuzzerArguments(target, seconds) {
-  return [`-max_total_time=${seconds}`, "-max_len=4096", "-timeout=60", "-rss_limit_mb=2000", "-print_final_stats=1",
+  return [`-max_total_time=${seconds}`, "-max_len=4096", "-timeout=60", "-rss_limit_mb=2000", "-print_final_stats=1", "-entropic=0",
     `-dict=${inRoot("tests/fuzz/bvh.dict")}`, `-artifact_prefix=${inBuild("findings", `${target}-`)}`,
     inBuild("corpus", target), inRoot("tests/fuzz/corpus", target)];
 }
