@@ -72,6 +72,7 @@ bool is_decimal_like(std::string_view word) {
 
 void count_words(std::string_view line, WordCensus& census) {
   for_each_word(line, [&](std::string_view word) {
+    if (word.find_first_not_of(',') == std::string_view::npos) ++census.separating;
     if (!starts_like_number(word) || is_not_finite_text(word)) return;
     const std::size_t point = word.find('.');
     census.pointed += point != std::string_view::npos && read_number(word).length > point ? 1 : 0;

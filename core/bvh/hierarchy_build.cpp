@@ -21,6 +21,8 @@ class HierarchyBuilder {
   Hierarchy build();
 
  private:
+  void read_end_sites_with_blocks_as_joints();
+  void read_as_joint(RawBlock& block, const std::string& reason);
   void open(const BraceEvent& event);
   void open_joint(RawBlock& block);
   void add_end_site(const RawBlock& block);
@@ -42,6 +44,7 @@ class HierarchyBuilder {
 
 Hierarchy HierarchyBuilder::build() {
   result_.patches = hierarchy_.patches;
+  read_end_sites_with_blocks_as_joints();
   for (const BraceEvent& event : hierarchy_.events) {
     if (report_.failed()) return {};
     if (event.closings > 0) {
@@ -67,6 +70,25 @@ Hierarchy HierarchyBuilder::build() {
   return std::move(result_);
 }
 
+/// What stands inside the braces of an End Site begins where the End Site is, so that is a joint.
+void HierarchyBuilder::read_end_sites_with_blocks_as_joints() {
+  for (std::size_t i = 0; i + 1 < hierarchy_.events.size(); ++i) {
+    const BraceEvent& next = hierarchy_.events[i + 1];
+    if (hierarchy_.events[i].closings > 0 || hierarchy_.events[i].block == kNamelessBlock) continue;
+    RawBlock& block = hierarchy_.blocks[idx(hierarchy_.events[i].block)];
+    const bool holds_block = block.has_body && next.closings == 0 && next.block != kNamelessBlock;
+    if (block.kind != RawBlock::Kind::EndSite || !holds_block || !block.channels.empty()) continue;
+    read_as_joint(block, "The end site has joints below it, so it was read as a joint.");
+  }
+}
+
+void HierarchyBuilder::read_as_joint(RawBlock& block, const std::string& reason) {
+  result_.patches.replace(block.place, block.keyword_end - block.place, block.name.empty() ? "JOINT End Site" : "JOINT");
+  report_.add_each(DiagnosticCode::EndSiteWithChannels, block.place, reason, "JOINT", "End Site");
+  block.kind = RawBlock::Kind::Joint;
+  if (block.name.empty()) block.name = block.name_bytes = "End Site";
+}
+
 void HierarchyBuilder::open(const BraceEvent& event) {
   if (event.block == kNamelessBlock) {
     open_is_joint_.push_back(false);
@@ -75,11 +97,7 @@ void HierarchyBuilder::open(const BraceEvent& event) {
   RawBlock& block = hierarchy_.blocks[idx(event.block)];
   if (block.kind == RawBlock::Kind::Root && !open_is_joint_.empty()) close_all(block.place, false);
   if (block.kind == RawBlock::Kind::EndSite && !block.channels.empty()) {
-    result_.patches.replace(block.place, block.keyword_end - block.place, block.name.empty() ? "JOINT End Site" : "JOINT");
-    report_.add_each(DiagnosticCode::EndSiteWithChannels, block.place,
-                     "The end site has channels, so it was read as a joint.", "JOINT", "End Site");
-    block.kind = RawBlock::Kind::Joint;
-    if (block.name.empty()) block.name = block.name_bytes = "End Site";
+    read_as_joint(block, "The end site has channels, so it was read as a joint.");
   }
   const bool is_joint = block.kind != RawBlock::Kind::EndSite;
   if (is_joint) {

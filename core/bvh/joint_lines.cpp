@@ -35,8 +35,10 @@ class OffsetReader {
   bool in_first_line_ = true;
 };
 
-/// Commas, colons and quotes, which some files have around the names of channels.
-bool is_name_mark(char c) { return c == ',' || c == ';' || c == ':' || c == '"' || c == '\''; }
+/// Commas, colons, quotes and brackets, which some files have around the names of channels.
+bool is_name_mark(char c) {
+  return c == ',' || c == ';' || c == ':' || c == '"' || c == '\'' || c == '[' || c == ']' || c == '(' || c == ')';
+}
 
 bool is_bracket_or_comma(char c) { return c == '[' || c == ']' || c == '(' || c == ')' || c == ',' || c == ';' || c == '='; }
 
@@ -73,6 +75,10 @@ bool OffsetReader::read_value() {
   cursor_.skip_blanks();
   const std::size_t place = cursor_.offset();
   if (cursor_.peek() == ';' && result_.count >= 3) return false;
+  if (result_.count < 3 && cursor_.peek() != ';' && starts_comment(cursor_.rest())) {
+    skip_blanks_and_comments(cursor_, report_);
+    return true;
+  }
   if (is_bracket_or_comma(cursor_.peek())) {
     bracketed_ = true;
     result_.patches.remove(place, 1);
@@ -184,6 +190,17 @@ void check_channel_spelling(const RawChannel& channel, std::size_t place, Report
   }
 }
 
+/// "Zrotation," of "Zrotation,Xrotation": up to and with the marks behind the first name of several known ones.
+std::string_view first_of_glued_names(std::string_view word) {
+  const auto is_mark = [](char c) { return is_name_mark(c); };
+  const auto name = std::find_if_not(word.begin(), word.end(), is_mark);
+  const auto mark = std::find_if(name, word.end(), is_mark);
+  const auto next = std::find_if_not(mark, word.end(), is_mark);
+  if (next == word.end()) return word;
+  const std::string_view first(word.data() + (name - word.begin()), static_cast<std::size_t>(mark - name));
+  return find_channel_kind(first) ? word.substr(0, static_cast<std::size_t>(next - word.begin())) : word;
+}
+
 class ChannelsReader {
  public:
   ChannelsReader(TextCursor& cursor, Report& report) : cursor_(cursor), report_(report) {}
@@ -223,7 +240,7 @@ ChannelsRead ChannelsReader::read(int most) {
 bool ChannelsReader::read_name(double declared) {
   skip_blanks_and_comments(cursor_, report_);
   const std::size_t begin = cursor_.offset();
-  const std::string_view whole = cursor_.peek_word();
+  const std::string_view whole = first_of_glued_names(cursor_.peek_word());
   std::string_view word = whole;
   while (!word.empty() && is_name_mark(word.front())) word.remove_prefix(1);
   while (!word.empty() && is_name_mark(word.back())) word.remove_suffix(1);
@@ -231,9 +248,10 @@ bool ChannelsReader::read_name(double declared) {
   const bool wanted = size_of(result_.channels) < declared;
   const bool only_marks = word.empty() && !whole.empty() && wanted;
   if (!only_marks && (word.empty() || (!kind && (!wanted || find_keyword(whole) != Keyword::None)))) return false;
-  cursor_.take_word();
+  cursor_.move_to(begin + whole.size());
   if (whole.size() != word.size()) {
-    result_.patches.replace(begin, whole.size(), std::string(word));
+    const bool is_glued = !cursor_.at_end() && !is_blank(cursor_.peek());
+    result_.patches.replace(begin, whole.size(), std::string(word) + (is_glued ? " " : ""));
     report_.add(DiagnosticCode::UnexpectedToken, begin,
                 fmt::format("The marks around the channel in '{}' were left out.", shown(whole)), "a channel", shown(whole));
   }

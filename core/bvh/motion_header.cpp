@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/number_text.h"
+#include "core/bvh/frame_time_text.h"
 #include "core/bvh/joint_lines.h"
 #include "core/bvh/keyword.h"
 #include "core/bvh/keyword_reader.h"
@@ -42,7 +43,8 @@ class MotionHeaderReader {
   bool read_frame_line();
   void read_frame_time(std::size_t begin);
   void read_frame_rate(std::size_t begin);
-  void read_time_value(std::string_view word, std::size_t place);
+  void read_as(const std::string& keyword, std::size_t begin);
+  void leave_line_out(std::size_t begin);
   bool value_is_missing() const;
   void report_repeat(DiagnosticCode code, std::size_t place, std::string_view keyword);
   void pass_colon(std::string_view keyword);
@@ -176,6 +178,9 @@ void MotionHeaderReader::check_case(std::string_view right) {
 /// Passes the colon, and blanks up to the value: in this line, or in the next one if it stands alone there.
 void MotionHeaderReader::pass_colon(std::string_view keyword) {
   const std::size_t begin = cursor_.offset();
+  TextCursor colon = cursor_;
+  pass_blanks_and_comments(colon);
+  if (colon.peek() == ':') skip_blanks_and_comments(cursor_, report_);
   cursor_.skip_blanks_in_line();
   const std::size_t place = cursor_.offset();
   const char found = cursor_.peek();
@@ -189,13 +194,17 @@ void MotionHeaderReader::pass_colon(std::string_view keyword) {
                      shown(TextCursor(cursor_.text(), place).peek_word()));
   }
   cursor_.skip_blanks_in_line();
-  if (!is_line_end(cursor_.peek())) return;
   TextCursor next = cursor_;
-  next.skip_blanks();
+  pass_blanks_and_comments(next);
+  const std::string_view passed_text = cursor_.text().substr(cursor_.offset(), next.offset() - cursor_.offset());
+  if (!passed_text.empty() && !has_line_end(passed_text)) skip_blanks_and_comments(cursor_, report_);
+  if (!has_line_end(passed_text)) return;
   const std::size_t value = next.offset();
   next.take_word();
   next.skip_blanks_in_line();
-  if (next.at_end() || is_line_end(next.peek())) cursor_.move_to(value);
+  if (!next.at_end() && !is_line_end(next.peek())) return;
+  skip_blanks_and_comments(cursor_, report_);
+  cursor_.move_to(value);
 }
 
 /// True if the line ends where the value should stand.
@@ -240,6 +249,10 @@ bool MotionHeaderReader::read_frame_line() {
   const bool rate = goes_on_with("Rate");
   const bool count = goes_on_with("Count");
   if (!time && !rate && !count && ahead.peek() != ':') return false;
+  if (!time && !rate && !count && has_frame_count_ && has_frame_time_) {
+    leave_line_out(begin);
+    return true;
+  }
   check_case("Frame");
   cursor_.move_to(ahead.offset());
   if (joined) {
@@ -252,14 +265,29 @@ bool MotionHeaderReader::read_frame_line() {
   if (rate) {
     read_frame_rate(begin);
   } else if (count || (!time && !has_frame_count_)) {
-    result_.patches.replace(begin, cursor_.offset() - begin, "Frames");
-    report_.add_each(DiagnosticCode::UnexpectedToken, begin, "This line was read as Frames.", "Frames:",
-                     shown(cursor_.text().substr(begin, cursor_.offset() - begin)));
+    read_as("Frames", begin);
     read_frame_count(begin);
   } else {
+    if (!time) read_as("Frame Time", begin);
     read_frame_time(begin);
   }
   return true;
+}
+
+/// The words from `begin` to the cursor stand for a keyword.
+void MotionHeaderReader::read_as(const std::string& keyword, std::size_t begin) {
+  result_.patches.replace(begin, cursor_.offset() - begin, keyword);
+  report_.add_each(DiagnosticCode::UnexpectedToken, begin, fmt::format("This line was read as {}.", keyword), keyword + ":",
+                   shown(cursor_.text().substr(begin, cursor_.offset() - begin)));
+}
+
+/// "Frame: 7" where both parts are known.
+void MotionHeaderReader::leave_line_out(std::size_t begin) {
+  const std::string_view line = trimmed(first_line(cursor_.rest()));
+  result_.patches.remove(begin, line.size());
+  report_.add_each(DiagnosticCode::UnexpectedToken, begin, fmt::format("'{}' means nothing here and was left out.", shown(line)),
+                   "the first row", shown(line));
+  cursor_.move_to(begin + line.size());
 }
 
 /// A frame time that is written as its inverse.
@@ -296,12 +324,13 @@ void MotionHeaderReader::read_frame_time(std::size_t begin) {
   const std::string_view word = value_is_missing() ? std::string_view() : cursor_.peek_word();
   if (!starts_like_number(word)) {
     result_.patches.remove(begin, place - begin);
+    report_.add_each(DiagnosticCode::UnexpectedToken, begin, "No time stands behind 'Frame Time:'; it was left out.",
+                     "seconds per frame", shown(word));
     return;
   }
-  cursor_.take_word();
   if (has_frame_time_) report_repeat(DiagnosticCode::RepeatedFrameTime, begin, "Frame Time:");
   has_frame_time_ = true;
-  read_time_value(word, place);
+  result_.frame_time_s = marey::read_frame_time(cursor_, MotionHeader().frame_time_s, result_.patches, report_);
   result_.frame_time_slot = {place, word.size(), result_.frame_time_s};
   time_line_ = {begin, cursor_.offset()};
 }
@@ -311,29 +340,6 @@ void MotionHeaderReader::report_repeat(DiagnosticCode code, std::size_t place, s
   result_.patches.remove(before.begin, before.end - before.begin);
   report_.add(code, place, fmt::format("'{}' stands here a second time; the last one is used.", keyword), "the first row",
               std::string(keyword));
-}
-
-void MotionHeaderReader::read_time_value(std::string_view word, std::size_t place) {
-  const bool comma = word.find(',') != std::string_view::npos && word.find('.') == std::string_view::npos;
-  const NumberRead number = read_number(word, comma ? ',' : '.');
-  if (comma) {
-    report_.add(DiagnosticCode::DecimalComma, place,
-                fmt::format("'{}' has a decimal comma, which was read as a point.", shown(word)), "a decimal point",
-                shown(word));
-  }
-  if (number.length != word.size() || !std::isfinite(number.value) || !(number.value > 0.0)) {
-    result_.frame_time_s = MotionHeader().frame_time_s;
-    report_.add(DiagnosticCode::FrameTimeNotPositive, place,
-                fmt::format("Frame Time '{}' is no time; 1/30 of a second is used.", shown(word)),
-                "seconds per frame", shown(word));
-  } else if (number.value >= kFrameTimeEndS) {
-    result_.frame_time_s = 1.0 / number.value;
-    report_.add(DiagnosticCode::FrameTimeLooksLikeRate, place,
-                fmt::format("Frame Time {} looks like frames per second; 1/{} of a second is used.", shown(word), shown(word)),
-                "seconds per frame", shown(word));
-  } else {
-    result_.frame_time_s = number.value;
-  }
 }
 
 void MotionHeaderReader::report_missing_motion(bool has_part, bool has_rows) {

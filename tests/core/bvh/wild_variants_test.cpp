@@ -190,9 +190,10 @@ TEST(WildVariants, JointsNestedInEndSites) {
                                     "      OFFSET 0 6 0\n      JOINT tip\n      {\n        OFFSET 1 0 0\n        CHANNELS 1 "
                                     "Zrotation\n      }\n");
   const BvhClip clip = read_or_fail(text);
-  EXPECT_EQ(clip.skeleton.name(2), "tip");
-  EXPECT_EQ(clip.skeleton.parent(2), 1);
-  expect_finding(clip, Code::EndSiteBesideChildren, {6, 3});
+  EXPECT_EQ(clip.skeleton.name(2), "End Site");
+  EXPECT_EQ(clip.skeleton.name(3), "tip");
+  EXPECT_EQ(clip.skeleton.parent(3), 2) << "it stands at the end of the end site's bone";
+  expect_finding(clip, Code::EndSiteWithChannels, {10, 5});
   EXPECT_EQ(rows_of(clip), (Rows{{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}}));
   expect_round_trip(clip.skeleton, clip.motion, clip.style);
 }
