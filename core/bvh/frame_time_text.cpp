@@ -102,8 +102,9 @@ void report_unlikely(double seconds, std::string_view word, std::size_t place, R
 
 double read_frame_time(TextCursor& cursor, double fallback_s, HeaderPatches& patches, Report& report) {
   const std::size_t place = cursor.offset();
-  const std::string_view line = first_line(cursor.rest());
+  constexpr std::size_t kFarthestUnit = 64;  // behind the number; a line may be as long as the file
   const std::string_view word = cursor.peek_word();
+  const std::string_view line = first_line(cursor.rest().substr(0, word.size() + kFarthestUnit));
   const std::size_t comma_at = word.find(',');
   const bool comma = comma_at < word.size() - 1 && word.find('.') == std::string_view::npos;
   const NumberRead number = read_number(word, comma ? ',' : '.');

@@ -212,6 +212,7 @@ class ChannelsReader {
 
   TextCursor& cursor_;
   Report& report_;
+  std::size_t word_end_ = 0;  ///< of the word that is being read
   ChannelsRead result_;
 };
 
@@ -240,7 +241,9 @@ ChannelsRead ChannelsReader::read(int most) {
 bool ChannelsReader::read_name(double declared) {
   skip_blanks_and_comments(cursor_, report_);
   const std::size_t begin = cursor_.offset();
-  const std::string_view whole = first_of_glued_names(cursor_.peek_word());
+  // Measured once for all names that are glued to one word.
+  if (begin >= word_end_) word_end_ = begin + cursor_.peek_word().size();
+  const std::string_view whole = first_of_glued_names(cursor_.text().substr(begin, word_end_ - begin));
   std::string_view word = whole;
   while (!word.empty() && is_name_mark(word.front())) word.remove_prefix(1);
   while (!word.empty() && is_name_mark(word.back())) word.remove_suffix(1);

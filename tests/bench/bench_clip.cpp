@@ -5,7 +5,6 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/base/index.h"
 #include "core/bvh/reader.h"
 
 namespace marey::bench {
@@ -40,10 +39,6 @@ const std::string& clip_text() {
 const BvhClip& clip() {
   static const BvhClip clip = read_clip();
   return clip;
-}
-
-std::size_t joint_frames() {
-  return idx(clip().skeleton.joint_count()) * idx(clip().motion.frame_count());
 }
 
 }  // namespace marey::bench

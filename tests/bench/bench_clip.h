@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "core/bvh/bvh_clip.h"
@@ -13,8 +12,5 @@ namespace marey::bench {
 
 /// The same, read.
 [[nodiscard]] const BvhClip& clip();
-
-/// Joints x frames of the clip.
-[[nodiscard]] std::size_t joint_frames();
 
 }  // namespace marey::bench
