@@ -39,4 +39,24 @@ std::size_t find_beyond_ascii(std::string_view text, std::size_t from) {
   return find_in(text, from, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
+std::size_t count_line_ends(std::string_view text, std::size_t from, std::size_t to) {
+  constexpr std::size_t kMostInByte = 255;
+  std::size_t count = 0;
+  while (from < to) {
+    const std::size_t block = std::min(kMostInByte, to - from);
+    unsigned char feeds = 0;
+    unsigned char returns = 0;
+    for (std::size_t i = 0; i < block; ++i) {
+      feeds = static_cast<unsigned char>(feeds + (text[from + i] == '\n' ? 1 : 0));
+      returns = static_cast<unsigned char>(returns + (text[from + i] == '\r' ? 1 : 0));
+    }
+    count += feeds;
+    if (returns > 0) {
+      for (std::size_t i = from; i < from + block; ++i) count += text[i] == '\r' && text.substr(i + 1, 1) != "\n" ? 1U : 0U;
+    }
+    from += block;
+  }
+  return count;
+}
+
 }  // namespace marey

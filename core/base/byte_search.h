@@ -13,4 +13,8 @@ namespace marey {
 /// The first byte from `from` on that is not ASCII; npos if there is none.
 [[nodiscard]] std::size_t find_beyond_ascii(std::string_view text, std::size_t from = 0);
 
+/// The line ends that stop in text[from, to): CR, LF and CRLF each are one. `to` may lie within a CRLF, which then counts
+/// behind it.
+[[nodiscard]] std::size_t count_line_ends(std::string_view text, std::size_t from, std::size_t to);
+
 }  // namespace marey

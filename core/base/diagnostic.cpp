@@ -49,4 +49,10 @@ int Diagnostics::count(Severity severity) const {
       std::count_if(list_.begin(), list_.end(), [severity](const Diagnostic& d) { return d.severity == severity; }));
 }
 
+std::vector<TextPlace> Diagnostics::places() const {
+  std::vector<TextPlace> places;
+  for (const Diagnostic& diagnostic : list_) places.push_back(diagnostic.place);
+  return places;
+}
+
 }  // namespace marey

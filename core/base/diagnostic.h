@@ -48,6 +48,8 @@ class Diagnostics {
   }
 
   [[nodiscard]] const std::vector<Diagnostic>& list() const { return list_; }
+  /// In the order of the list.
+  [[nodiscard]] std::vector<TextPlace> places() const;
   [[nodiscard]] bool empty() const { return list_.empty(); }
   [[nodiscard]] bool contains(DiagnosticCode code) const { return find(code) != nullptr; }
   /// The first finding with this code, or null.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/byte_search.h"
+
 namespace marey {
 
 bool equal_ignoring_case(std::string_view a, std::string_view b) {
@@ -26,20 +28,26 @@ std::string shown(std::string_view text) {
   return text.size() > kLongest ? result + "..." : result;
 }
 
-TextPlace PlaceFinder::place_of(std::size_t offset) {
-  if (offset < line_begin_) *this = PlaceFinder(text_);
-  offset_ = std::max(offset_, line_begin_);
-  const std::size_t stop = std::min(offset, text_.size());
-  while (offset_ < stop) {
-    const char c = text_[offset_++];
-    const bool crlf = c == '\r' && offset_ < text_.size() && text_[offset_] == '\n';
-    if (c == '\n' || (c == '\r' && !crlf)) {
-      ++line_;
-      line_begin_ = offset_;
+TextPlace PlaceFinder::Walk::place_of(std::size_t offset) {
+  const std::size_t wanted = std::max(offset, begin_) - begin_;
+  if (wanted < line_begin_) *this = Walk(text_, begin_, first_line_);
+  const std::size_t stop = std::min(wanted, text_.size());
+  if (stop > at_) {
+    const std::size_t passed = count_line_ends(text_, at_, stop);
+    line_ += static_cast<int>(passed);
+    for (std::size_t end = passed > 0 ? stop : 0; end > 0; --end) {
+      if (count_line_ends(text_, end - 1, end) == 0) continue;
+      line_begin_ = end;
+      break;
     }
+    at_ = stop;
   }
-  return {line_, static_cast<int>(offset - line_begin_) + 1};
+  return {line_, static_cast<int>(wanted - line_begin_) + 1};
 }
+
+TextPlace PlaceFinder::place_of(std::size_t offset) { return (offset < last_.begin() ? first_ : last_).place_of(offset); }
+
+void PlaceFinder::move_on(std::string_view text, std::size_t begin) { last_ = Walk(text, begin, last_.place_of(begin).line); }
 
 void TextCursor::skip_blanks() {
   while (!at_end() && is_blank(text_[offset_])) ++offset_;

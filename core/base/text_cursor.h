@@ -23,14 +23,32 @@ namespace marey {
 /// one pass over the text in all.
 class PlaceFinder {
  public:
-  explicit PlaceFinder(std::string_view text) : text_(text) {}
+  explicit PlaceFinder(std::string_view text) : first_(text), last_(text) {}
   [[nodiscard]] TextPlace place_of(std::size_t offset);
 
+  /// Goes on in the next part of the text: text[0], which opens a line, is the byte `begin` of the whole. Of the parts before
+  /// only the first one is still looked into, so it must live on; offsets in between give the first place of `text`.
+  void move_on(std::string_view text, std::size_t begin);
+
  private:
-  std::string_view text_;
-  std::size_t line_begin_ = 0;
-  std::size_t offset_ = 0;
-  int line_ = 1;
+  /// Walks through a part.
+  class Walk {
+   public:
+    explicit Walk(std::string_view text, std::size_t begin = 0, int line = 1) : text_(text), begin_(begin), first_line_(line), line_(line) {}
+    [[nodiscard]] std::size_t begin() const { return begin_; }
+    TextPlace place_of(std::size_t offset);
+
+   private:
+    std::string_view text_;
+    std::size_t begin_;  ///< of the text in the whole; all else counts in the text
+    int first_line_;
+    int line_;
+    std::size_t line_begin_ = 0;
+    std::size_t at_ = 0;
+  };
+
+  Walk first_;
+  Walk last_;
 };
 
 /// Reads a text token by token. The text must outlive the cursor; nothing is copied.

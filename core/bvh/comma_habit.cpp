@@ -149,7 +149,8 @@ NumberLook find_comma_habit(std::string_view rows, const std::vector<std::string
   if (census.decimal_like > census.pointed && fit(kDecimal) >= separated_fit) return kDecimal;
   const bool could_be_decimal = census.separating == 0 && census.pointed > 0;
   if (could_be_decimal || fit(kPlain) > separated_fit) return kPlain;
-  const bool among_first = !first_lines.empty() && comma_lines.front().data() <= first_lines.back().data();
+  const bool among_first =
+      std::any_of(first_lines.begin(), first_lines.end(), [](std::string_view line) { return has_comma(line) && is_row_like(line); });
   return separated_fit > 0 || among_first ? kSeparated : kPlain;
 }
 

@@ -46,7 +46,7 @@ bool RowReader::read_irregular_row() {
   const char* p = skip_gap(at_, line_ends);
   if (report_.failed() || p == end_) return false;
   const bool within_line = frames() > 0 && !line_ends && survey_.layout != RowLayout::Stream;
-  const bool shares_line = within_line && shared_line_end_ != nullptr && p < shared_line_end_;
+  const bool shares_line = within_line && offset_of(p) < shared_line_end_;
   if (within_line && !shares_line && settle_line_remainder(p)) return true;
   if (ends_here(p)) return false;
   const RowPlan plan = plan_row(p, within_line);
@@ -150,7 +150,7 @@ bool RowReader::settle_line_remainder(const char* p) {
   const int count = count_values(line, survey_.look);
   if (count == 0 || (all_declared_read() && !holds_only_numbers(line, count, survey_.look))) return false;
   if (survey_.layout == RowLayout::LinePerFrame && count % channel_count_ == 0) {
-    shared_line_end_ = line.data() + line.size();
+    shared_line_end_ = offset_of(line.data() + line.size());
     return false;
   }
   repaired_ = true;
@@ -169,7 +169,7 @@ RowReader::RowPlan RowReader::plan_row(const char* p, bool shares_line) {
   if (count == channel_count_) return plan;
   if (count < channel_count_) return plan_short_line(p, count);
   if (survey_.layout == RowLayout::LinePerFrame && count % channel_count_ == 0) {
-    shared_line_end_ = line.data() + line.size();
+    shared_line_end_ = offset_of(line.data() + line.size());
     return plan;
   }
   plan.regular = false;

@@ -8,14 +8,22 @@
 
 #include "core/bvh/limits.h"
 #include "core/bvh/report.h"
+#include "core/bvh/row_text.h"
 #include "core/bvh/style.h"
 
 namespace marey {
 
-/// What the rows are read with.
+/// A part of a file's text.
+struct TextPart {
+  std::string_view text;
+  std::size_t begin = 0;  ///< of text[0] in the file
+};
+
+/// What the rows are read with. Places count in the file.
 struct RowsInput {
-  std::string_view text;        ///< of the whole file, without NUL bytes at its end
+  TextPart part;                ///< with the first sample, and without NUL bytes at the end of the file
   std::size_t data_begin = 0;   ///< the first sample
+  std::int64_t rows_bytes = 0;  ///< from there to the end of the file, or what is known of it
   int channel_count = 0;        ///< > 0
   std::optional<std::int64_t> declared_frames;
   std::size_t declared_place = 0;
@@ -30,6 +38,9 @@ struct MotionRows {
   std::size_t end = 0;          ///< behind the last sample
   bool lines_are_new = false;   ///< every frame gets a line of its own, whatever lines the file had
 };
+
+/// Notes that `look` gives commas a meaning; `rows` hold one then.
+void report_commas(TextPart rows, const NumberLook& look, Report& report);
 
 /// Reads frames until the text ends or says something else. What `Frames:` promises is compared, not trusted.
 [[nodiscard]] MotionRows read_motion_rows(const RowsInput& input, const ReadLimits& limits, Report& report);

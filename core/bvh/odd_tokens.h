@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -16,6 +17,9 @@ class OddTokens {
 
   /// `index` rises from call to call.
   void add(std::int64_t index, double value, std::string_view gap, std::string_view number);
+
+  /// Raises the bound.
+  void allow(std::size_t most_bytes) { most_bytes_ = std::max(most_bytes_, most_bytes); }
 
   /// For going back when a row turns out to be irregular.
   struct Mark {

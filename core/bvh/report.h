@@ -36,6 +36,13 @@ class Report {
   /// Adds findings that were made before, with their places as they are.
   void take_over(const Diagnostics& findings);
 
+  /// Goes on with places in the next part of the text: as in PlaceFinder.
+  void move_on(std::string_view text, std::size_t begin) { places_.move_on(text, begin); }
+
+  [[nodiscard]] TextPlace place_of(std::size_t offset) { return places_.place_of(offset); }
+
+  /// What was noticed until now, in the order of finding.
+  [[nodiscard]] const Diagnostics& found() const { return diagnostics_; }
   [[nodiscard]] bool strict() const { return strict_; }
   [[nodiscard]] bool failed() const { return error_.has_value(); }
   /// Precondition: failed().

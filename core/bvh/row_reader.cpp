@@ -9,6 +9,7 @@
 #include "core/base/counted.h"
 #include "core/base/plain_number.h"
 #include "core/bvh/comma_habit.h"
+#include "core/bvh/motion_header.h"
 
 namespace marey {
 namespace {
@@ -19,18 +20,20 @@ std::size_t odd_token_bytes(std::int64_t frames, int channel_count) {
   return std::size_t{512} * 1024 + samples * sizeof(double) / 12;
 }
 
+std::string_view rows_of(const RowsInput& input) { return input.part.text.substr(input.data_begin - input.part.begin); }
+
 /// Frames to make room for: as declared where that is believable, else what rows like the first ones make.
 std::int64_t expected_frames(const RowsInput& input, const MotionSurvey& survey, std::int64_t most_frames) {
-  const std::string_view rows = input.text.substr(input.data_begin);
   const auto shortest_row = static_cast<std::int64_t>(2) * input.channel_count;
-  const auto held = static_cast<std::int64_t>(rows.size()) / shortest_row + 1;
-  const double likely = survey.bytes_per_row > 0.0 ? static_cast<double>(rows.size()) / survey.bytes_per_row : 0.0;
+  const std::int64_t held = input.rows_bytes / shortest_row + 1;
+  const double likely = survey.bytes_per_row > 0.0 ? static_cast<double>(input.rows_bytes) / survey.bytes_per_row : 0.0;
   const std::int64_t declared = input.declared_frames.value_or(held);
   const auto declared_as_real = static_cast<double>(declared);
   const bool believable =
       input.declared_frames && declared_as_real <= 2.0 * likely + 16.0 && declared_as_real >= 0.5 * likely - 16.0;
   if (believable) return std::min({declared, held, most_frames});
   if (likely > 0.0) return std::min({static_cast<std::int64_t>(1.02 * likely) + 1, held, most_frames});
+  const std::string_view rows = rows_of(input);
   const std::int64_t lines = std::count(rows.begin(), rows.end(), '\n') + 1;
   return std::min({lines, held, most_frames});
 }
@@ -52,10 +55,12 @@ void fail_for_memory(const RowsInput& input, const ReadLimits& limits, std::size
 
 /// True if as many frames are both declared and there as memory has no room for: told before any memory is taken.
 bool is_surely_too_long(const RowsInput& input, const MotionSurvey& survey, std::int64_t most_frames) {
-  const std::string_view rows = input.text.substr(input.data_begin);
   if (input.declared_frames.value_or(0) <= most_frames) return false;
-  if (2.0 * static_cast<double>(most_frames) * survey.bytes_per_row > 3.0 * static_cast<double>(rows.size())) return false;
-  return take_census(rows, survey.look).values / input.channel_count > most_frames;
+  const double likely_frames = static_cast<double>(input.rows_bytes) / std::max(survey.bytes_per_row, 1.0);
+  if (3.0 * likely_frames < 2.0 * static_cast<double>(most_frames)) return false;
+  const bool has_all_rows = static_cast<std::int64_t>(rows_of(input).size()) >= input.rows_bytes;
+  if (!has_all_rows) return 2.0 * likely_frames > 3.0 * static_cast<double>(most_frames);
+  return take_census(rows_of(input), survey.look).values / input.channel_count > most_frames;
 }
 
 }  // namespace
@@ -66,8 +71,8 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
       survey_(std::move(survey)),
       report_(report),
       channel_count_(input.channel_count),
-      at_(input.text.data() + input.data_begin),
-      end_(input.text.data() + input.text.size()),
+      at_(rows_of(input).data()),
+      end_(input.part.text.data() + input.part.text.size()),
       sample_frames_(sample_frames(input, limits)),
       most_frames_(std::min<std::int64_t>(limits.max_frames, sample_frames_)),
       store_(channel_count_, expected_frames(input, survey_, most_frames_), sample_frames_),
@@ -89,14 +94,48 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
 }
 
 void RowReader::read_all() {
-  while (!report_.failed()) {
-    const bool predictable = frames() > 0 && !all_declared_read();
-    if (!(predictable && read_predicted_row()) && !read_irregular_row()) break;
-    if (frames() > most_frames_ || store_.is_full()) fail_beyond_limit();
+  while (!rows_ended_ && !report_.failed()) {
+    if (!(is_predictable() && read_predicted_row()) && !read_irregular_row()) break;
+    check_limits();
   }
   store_.flush();
   if (store_.is_full()) fail_beyond_limit();
   if (!report_.failed()) report_frame_count();
+}
+
+void RowReader::read_some() {
+  while (!rows_ended_ && !report_.failed() && !all_declared_read()) {
+    if (!(is_predictable() && read_predicted_row())) {
+      if (frames() > 0 && offset() >= settled_end()) return;
+      rows_ended_ = !read_irregular_row();
+    }
+    check_limits();
+  }
+}
+
+/// Behind a row that begins before it, the part has as many lines of numbers as any repair looks at.
+std::size_t RowReader::settled_end() {
+  constexpr int kMostLinesLookedAt = 32;
+  if (settled_end_) return *settled_end_;
+  std::string_view left = input_.part.text;
+  for (int lines = channel_count_ + kMostLinesLookedAt; lines > 0 && !left.empty();) {
+    const std::size_t end = left.substr(0, left.size() - 1).find_last_of("\r\n");
+    const std::size_t begin = end == std::string_view::npos ? 0 : end + 1;
+    const std::string_view line = trimmed(left.substr(begin));
+    if (starts_like_number(line.substr(0, 2))) --lines;
+    left = left.substr(0, begin);
+  }
+  settled_end_ = input_.part.begin + left.size();
+  return *settled_end_;
+}
+
+void RowReader::move_to(TextPart part) {
+  const std::size_t at = offset();
+  input_.part = part;
+  at_ = part.text.data() + (at - part.begin);
+  end_ = part.text.data() + part.text.size();
+  settled_end_.reset();
+  odd_tokens_.allow(odd_token_bytes(frames(), channel_count_));
 }
 
 bool RowReader::read_predicted_row() {
@@ -156,6 +195,10 @@ bool RowReader::text_is_predicted(int channel, double value, std::string_view ga
   return gap == column.gap && is_spelled_as(number, value, column.format);
 }
 
+void RowReader::check_limits() {
+  if (frames() > most_frames_ || store_.is_full()) fail_beyond_limit();
+}
+
 void RowReader::fail_beyond_limit() {
   if (most_frames_ == limits_.max_frames && !store_.is_full()) {
     report_.fail(DiagnosticCode::LimitFrames, offset_of(at_),
@@ -191,23 +234,23 @@ MotionRows RowReader::take_result() {
   return result;
 }
 
-namespace {
-
-void report_commas(const RowsInput& input, const NumberLook& look, Report& report) {
+void report_commas(TextPart rows, const NumberLook& look, Report& report) {
   if (look.point != ',' && !look.commas_separate) return;
-  const std::size_t comma = input.text.find_first_of(",;", input.data_begin);
+  const std::size_t comma = rows.text.find_first_of(",;");
   if (look.point == ',') {
     std::size_t begin = comma;
-    while (begin > input.data_begin && !is_blank(input.text[begin - 1])) --begin;
-    report.add(DiagnosticCode::DecimalComma, begin,
+    while (begin > 0 && !is_blank(rows.text[begin - 1])) --begin;
+    report.add(DiagnosticCode::DecimalComma, rows.begin + begin,
                "The numbers have decimal commas throughout, which were read as points; most other programs cannot read them.",
-               "decimal points", shown(TextCursor(input.text, begin).peek_word()));
+               "decimal points", shown(TextCursor(rows.text, begin).peek_word()));
   } else {
-    report.add(DiagnosticCode::CommaBetweenNumbers, comma,
+    report.add(DiagnosticCode::CommaBetweenNumbers, rows.begin + comma,
                "Commas stand between the numbers; they were read as blanks, most other programs cannot read them.",
-               "blanks", std::string(1, input.text[comma]));
+               "blanks", std::string(1, rows.text[comma]));
   }
 }
+
+namespace {
 
 /// Without channels there are no values to count, so the declared count is all there is.
 MotionRows rows_without_channels(const RowsInput& input, const ReadLimits& limits, Report& report) {
@@ -225,16 +268,19 @@ MotionRows rows_without_channels(const RowsInput& input, const ReadLimits& limit
 
 }  // namespace
 
+bool rows_fit(const RowsInput& input, const ReadLimits& limits, const MotionSurvey& survey, Report& report) {
+  const std::int64_t room = sample_frames(input, limits);
+  if (room >= limits.max_frames || !is_surely_too_long(input, survey, room)) return true;
+  fail_for_memory(input, limits, input.data_begin, report);
+  return false;
+}
+
 MotionRows read_motion_rows(const RowsInput& input, const ReadLimits& limits, Report& report) {
   if (input.channel_count == 0) return rows_without_channels(input, limits, report);
-  MotionSurvey survey = survey_rows(input.text.substr(input.data_begin), input.channel_count, input.declared_frames,
-                                    input.line_end);
-  report_commas(input, survey.look, report);
-  const std::int64_t room = sample_frames(input, limits);
-  if (room < limits.max_frames && is_surely_too_long(input, survey, room)) {
-    fail_for_memory(input, limits, input.data_begin, report);
-    return {};
-  }
+  const TextPart rows{rows_of(input), input.data_begin};
+  MotionSurvey survey = survey_rows(rows.text, input.channel_count, input.declared_frames, input.line_end);
+  report_commas(rows, survey.look, report);
+  if (!rows_fit(input, limits, survey, report)) return {};
   RowReader reader(input, limits, std::move(survey), report);
   reader.read_all();
   return report.failed() ? MotionRows{} : reader.take_result();

@@ -19,10 +19,24 @@ namespace marey {
 /// any other is read again with care (irregular_rows.cpp), which is where every repair is.
 class RowReader {
  public:
+  /// `limits` and `report` are kept.
   RowReader(const RowsInput& input, const ReadLimits& limits, MotionSurvey survey, Report& report);
 
-  /// Reads the rest of the rows.
+  /// Reads the rest of the rows; the part ends with the file.
   void read_all();
+  /// Reads rows as far as what follows the part cannot change what they mean. The part ends behind a line end, and holds
+  /// the first row wholly.
+  void read_some();
+  /// Goes on in `part`, which begins where the one before did or at a line that begins before offset().
+  void move_to(TextPart part);
+  /// Commas and semicolons among the rows that are left mean what `look` says.
+  void set_look(const NumberLook& look) { survey_.look = look; }
+
+  [[nodiscard]] std::size_t part_end() const { return input_.part.begin + input_.part.text.size(); }
+  /// Behind the last value.
+  [[nodiscard]] std::size_t offset() const { return offset_of(at_); }
+  [[nodiscard]] const MotionSurvey& survey() const { return survey_; }
+  [[nodiscard]] const SampleStore& store() const { return store_; }
   [[nodiscard]] MotionRows take_result();
 
  private:
@@ -43,6 +57,8 @@ class RowReader {
     const char* drop_to = nullptr;   ///< where to go on when values are left out
   };
 
+  [[nodiscard]] bool is_predictable() const { return frames() > 0 && !all_declared_read(); }
+  std::size_t settled_end();
   bool read_predicted_row();
   const char* read_unpredicted_value(const char* p, int channel, double& value);
   [[nodiscard]] bool text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) const;
@@ -63,10 +79,13 @@ class RowReader {
   void drop_partial_row(const RowPlan& plan, const char* p);
   void report_row_length(const char* p, int found);
   void report_frame_count();
+  void check_limits();
   void fail_beyond_limit();
 
   [[nodiscard]] std::string_view rest(const char* p) const { return {p, static_cast<std::size_t>(end_ - p)}; }
-  [[nodiscard]] std::size_t offset_of(const char* p) const { return static_cast<std::size_t>(p - input_.text.data()); }
+  [[nodiscard]] std::size_t offset_of(const char* p) const {
+    return input_.part.begin + static_cast<std::size_t>(p - input_.part.text.data());
+  }
   [[nodiscard]] std::int64_t frames() const { return store_.frame_count(); }
   /// True once all frames that the header declares are read; false when it declares none.
   [[nodiscard]] bool all_declared_read() const { return input_.declared_frames && frames() >= *input_.declared_frames; }
@@ -74,14 +93,16 @@ class RowReader {
     return rest(p).substr(0, value_length(rest(p), survey_.look));
   }
 
-  const RowsInput& input_;
+  RowsInput input_;
   const ReadLimits& limits_;
   MotionSurvey survey_;
   Report& report_;
   int channel_count_;
   const char* at_;   ///< behind the last value
   const char* end_;
-  const char* shared_line_end_ = nullptr;  ///< several frames stand in the line that ends here
+  std::size_t shared_line_end_ = 0;  ///< several frames stand in the line that ends here
+  std::optional<std::size_t> settled_end_;  ///< see settled_end()
+  bool rows_ended_ = false;
   std::int64_t sample_frames_;  ///< frames that memory has room for
   std::int64_t most_frames_;
   std::optional<bool> keeps_surplus_rows_;  ///< once all declared frames are read: whether rows behind them are frames
@@ -90,5 +111,8 @@ class RowReader {
   SampleStore store_;
   OddTokens odd_tokens_;
 };
+
+/// False, with the reason in `report`, if the file surely has more frames than memory has room for: told before any is taken.
+[[nodiscard]] bool rows_fit(const RowsInput& input, const ReadLimits& limits, const MotionSurvey& survey, Report& report);
 
 }  // namespace marey

@@ -66,6 +66,17 @@ void SampleStore::change_capacity(std::int64_t frames) {
   capacity_ = frames;
 }
 
+std::vector<double> SampleStore::copy_of_first(std::int64_t frame_count) const {
+  const auto frames = static_cast<std::size_t>(std::min(frame_count, flushed_));
+  std::vector<double> copy;
+  copy.reserve(frames * idx(channel_count_));
+  for (std::size_t c = 0; c < idx(channel_count_); ++c) {
+    const auto begin = samples_.begin() + static_cast<std::ptrdiff_t>(c * static_cast<std::size_t>(capacity_));
+    copy.insert(copy.end(), begin, begin + static_cast<std::ptrdiff_t>(frames));
+  }
+  return copy;
+}
+
 std::vector<double> SampleStore::take_samples() {
   if (flushed_ != capacity_) change_capacity(flushed_);
   return std::move(samples_);

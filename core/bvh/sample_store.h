@@ -27,6 +27,12 @@ class SampleStore {
   [[nodiscard]] bool is_full() const { return is_full_; }
 
   [[nodiscard]] std::int64_t frame_count() const { return flushed_ + rows_in_tile_; }
+  /// The first frames, at most `frame_count` and as far as they are taken over, channel-major.
+  [[nodiscard]] std::vector<double> copy_of_first(std::int64_t frame_count) const;
+  [[nodiscard]] std::int64_t held_bytes() const {
+    return static_cast<std::int64_t>((samples_.capacity() + tile_.capacity()) * sizeof(double));
+  }
+  [[nodiscard]] std::int64_t flushed_frames() const { return flushed_; }
   /// The samples, channel-major; the store is empty afterwards. Precondition: flush(), !is_full().
   [[nodiscard]] std::vector<double> take_samples();
   /// Takes over the rows that were committed; is_full() is certain only after that.

@@ -68,23 +68,21 @@ void take_utf16(std::string_view bytes, bool little_endian, DecodedText& decoded
   }
 }
 
+std::size_t size_without_trailing_nuls(std::string_view text) {
+  const std::size_t last = text.find_last_not_of('\0');
+  return last == std::string_view::npos ? 0 : last + 1;
+}
+
 void drop_trailing_nuls(DecodedText& decoded, Report& report) {
-  const std::size_t last = decoded.text.find_last_not_of('\0');
-  const std::size_t size = last == std::string_view::npos ? 0 : last + 1;
-  if (size == decoded.text.size()) return;
-  if (trimmed(decoded.text.substr(0, size)).empty()) {
+  const std::size_t size = size_without_trailing_nuls(decoded.text);
+  if (size < decoded.text.size() && trimmed(decoded.text.substr(0, size)).empty()) {
     report.fail(DiagnosticCode::EmptyFile, 0,
                 fmt::format("The file holds nothing but {}; it was never written properly. Use another copy.",
                             counted(static_cast<std::int64_t>(decoded.text.size()), "NUL byte")),
                 "HIERARCHY", "NUL");
     return;
   }
-  report.add(DiagnosticCode::TrailingNul, size,
-             fmt::format("Behind the text the file goes on with {}, kept as they are.",
-                         counted(static_cast<std::int64_t>(decoded.text.size() - size), "NUL byte")),
-             "",
-             "NUL bytes");
-  decoded.text = decoded.text.substr(0, size);
+  decoded.text = without_trailing_nuls(decoded.text, 0, report);
 }
 
 }  // namespace
@@ -110,6 +108,16 @@ void decode_text(std::string_view bytes, DecodedText& decoded, Report& report) {
     report.fail(DiagnosticCode::EmptyFile, 0, "The file is empty. Open a file written as BVH.", "HIERARCHY",
                 "the end of the file");
   }
+}
+
+std::string_view without_trailing_nuls(std::string_view text, std::size_t begin, Report& report) {
+  const std::size_t size = size_without_trailing_nuls(text);
+  if (size == text.size()) return text;
+  report.add(DiagnosticCode::TrailingNul, begin + size,
+             fmt::format("Behind the text the file goes on with {}, kept as they are.",
+                         counted(static_cast<std::int64_t>(text.size() - size), "NUL byte")),
+             "", "NUL bytes");
+  return text.substr(0, size);
 }
 
 std::string_view text_in_utf8(std::string_view bytes, std::string& converted) {

@@ -25,6 +25,9 @@ struct DecodedText {
 /// to the bytes of the file.
 void decode_text(std::string_view bytes, DecodedText& decoded, Report& report);
 
+/// `text`, the end of a file from its byte `begin` on, without the NUL bytes at its end, which are reported.
+[[nodiscard]] std::string_view without_trailing_nuls(std::string_view text, std::size_t begin, Report& report);
+
 /// The text that the places of findings count in: the bytes of the file or, where they are UTF-16, `converted`, which
 /// gets their UTF-8.
 [[nodiscard]] std::string_view text_in_utf8(std::string_view bytes, std::string& converted);

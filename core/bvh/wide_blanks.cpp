@@ -20,7 +20,6 @@ constexpr std::array<std::string_view, 21> kWideBlanks = {
 
 bool is_ascii(char c) { return static_cast<unsigned char>(c) < 0x80; }
 
-/// The next byte from `at` on that is not ASCII, or the end.
 /// Length of the blank beyond ASCII at text[at], 0 if there is none. A lone A0 is the no-break blank of Latin-1.
 std::size_t wide_blank_length(std::string_view text, std::size_t at) {
   if (at >= text.size()) return 0;
@@ -87,8 +86,8 @@ Line line_around(std::string_view text, std::size_t at) {
   return Line(text.substr(begin, end - begin));
 }
 
-void report_wide_blank(std::string_view text, std::size_t at, Report& report) {
-  report.add(DiagnosticCode::WideBlank, at,
+void report_wide_blank(std::string_view text, std::size_t at, Report& report, std::size_t text_begin) {
+  report.add(DiagnosticCode::WideBlank, text_begin + at,
              "Blanks that are not ASCII stand between the words; they were read as blanks, most other programs cannot read "
              "them.",
              "a blank", shown(text.substr(at, wide_blank_length(text, at))));
@@ -102,7 +101,7 @@ void make_plain(std::string& text, std::size_t begin, std::size_t end) {
 
 }  // namespace
 
-std::string with_plain_blanks(std::string_view text, std::size_t begin, Report& report) {
+std::string with_plain_blanks(std::string_view text, std::size_t begin, Report& report, std::size_t text_begin) {
   std::string result;
   Line line{std::string_view()};
   for (std::size_t at = find_beyond_ascii(text, begin); at < text.size(); at = find_beyond_ascii(text, at)) {
@@ -117,7 +116,7 @@ std::string with_plain_blanks(std::string_view text, std::size_t begin, Report& 
     if (line.separates(blank)) {
       if (result.empty()) {
         result = text;
-        report_wide_blank(text, at, report);
+        report_wide_blank(text, at, report, text_begin);
       }
       make_plain(result, at, end);
     }

@@ -24,10 +24,13 @@ struct FuzzTarget {
 [[nodiscard]] Harm find_harm_in_edits(std::string_view input);
 /// Byte 1: the figure, and whether to be strict. Then a table.
 [[nodiscard]] Harm find_harm_in_table(std::string_view input);
+/// Bytes 1 and 2: steps and pieces. Then a text: read by pieces it is what it is as a whole.
+[[nodiscard]] Harm find_harm_in_streaming(std::string_view input);
 
 inline constexpr std::array kFuzzTargets = {FuzzTarget{"read", find_harm_in_reading},
                                             FuzzTarget{"round_trip", find_harm_in_round_trip},
                                             FuzzTarget{"edits", find_harm_in_edits},
-                                            FuzzTarget{"table", find_harm_in_table}};
+                                            FuzzTarget{"table", find_harm_in_table},
+                                            FuzzTarget{"stream", find_harm_in_streaming}};
 
 }  // namespace marey::test
