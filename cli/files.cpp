@@ -4,12 +4,13 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdint>
 #include <filesystem>
 #include <system_error>
 
 #include "cli/clip_json.h"
 #include "cli/report.h"
-#include "core/bvh/reader.h"
+#include "core/bvh/stream_reader.h"
 #include "core/text/readable.h"
 
 namespace marey::cli {
@@ -19,38 +20,56 @@ constexpr std::size_t kBlockSize = std::size_t{1} << 16;
 
 std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
 
-/// Reads to the end; errno says what went wrong when it returns false.
-bool read_to_end(std::FILE* stream, std::string& bytes) {
+/// Gives `take` the bytes of a file block by block, until it wants no more. False if that failed, which has been reported.
+template <class Take>
+bool read_blocks(const std::string& file, Take take) {
+  const bool is_standard = file == "-";
+  std::error_code ignored;
+  if (!is_standard && std::filesystem::is_directory(file, ignored)) {
+    report_error(file, {}, "This is a folder, not a file.");
+    return false;
+  }
+  std::FILE* stream = is_standard ? stdin : std::fopen(file.c_str(), "rb");
+  if (stream == nullptr) {
+    report_error(file, {}, fmt::format("The file cannot be opened: {}.", reason_of(errno)));
+    return false;
+  }
   std::array<char, kBlockSize> block;
-  while (const std::size_t count = std::fread(block.data(), 1, block.size(), stream)) bytes.append(block.data(), count);
-  return std::ferror(stream) == 0;
+  bool wants_more = true;
+  while (wants_more) {
+    const std::size_t count = std::fread(block.data(), 1, block.size(), stream);
+    wants_more = count > 0 && take(std::string_view(block.data(), count));
+  }
+  const bool is_complete = std::ferror(stream) == 0;
+  if (!is_complete) report_error(file, {}, fmt::format("The file cannot be read: {}.", reason_of(errno)));
+  if (!is_standard) std::fclose(stream);
+  return is_complete;
+}
+
+/// 0 where nobody knows.
+std::int64_t size_of_file(const std::string& file) {
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(file, failure);
+  return failure ? 0 : static_cast<std::int64_t>(size);
 }
 
 }  // namespace
 
 std::optional<std::string> read_bytes(const std::string& file) {
-  const bool is_standard = file == "-";
-  std::error_code ignored;
-  if (!is_standard && std::filesystem::is_directory(file, ignored)) {
-    report_error(file, {}, "This is a folder, not a file.");
-    return std::nullopt;
-  }
-  std::FILE* stream = is_standard ? stdin : std::fopen(file.c_str(), "rb");
-  if (stream == nullptr) {
-    report_error(file, {}, fmt::format("The file cannot be opened: {}.", reason_of(errno)));
-    return std::nullopt;
-  }
   std::string bytes;
-  const bool is_complete = read_to_end(stream, bytes);
-  if (!is_complete) report_error(file, {}, fmt::format("The file cannot be read: {}.", reason_of(errno)));
-  if (!is_standard) std::fclose(stream);
+  const bool is_complete = read_blocks(file, [&](std::string_view block) {
+    bytes += block;
+    return true;
+  });
   return is_complete ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 std::optional<BvhClip> read_clip(const Input& input) {
-  const std::optional<std::string> bytes = read_bytes(input.file);
-  if (!bytes) return std::nullopt;
-  Result<BvhClip> clip = read_bvh(*bytes, {.strict = input.strict, .limits = {}, .names_in = input.names_in});
+  StreamOptions stream;
+  stream.expected_bytes = size_of_file(input.file);
+  StreamReader reader({.strict = input.strict, .limits = input.limits, .names_in = input.names_in}, stream);
+  if (!read_blocks(input.file, [&](std::string_view block) { return reader.feed(block); })) return std::nullopt;
+  Result<BvhClip> clip = reader.finish();
   if (!clip) {
     if (input.as_json) (void)write_bytes("-", refusal_json(clip.error()));
     report_error(input.file, clip.error());

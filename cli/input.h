@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/bvh/limits.h"
 #include "core/text/character_set.h"
 
 namespace marey::cli {
@@ -11,6 +12,7 @@ namespace marey::cli {
 struct Input {
   std::string file;  ///< "-" for standard input
   bool strict = false;
+  ReadLimits limits{};
   std::optional<CharacterSet> names_in{};  ///< without it, a guess
   bool as_json = false;  ///< a refusal is printed as JSON too
 };

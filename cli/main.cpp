@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include <csignal>
+#include <cstdint>
 #include <exception>
 
 #include "cli/commands.h"
@@ -18,6 +19,17 @@ std::vector<std::string> character_set_ids() {
   return ids;
 }
 
+/// "frames=1000" into the limits; what is wrong goes to the usage.
+void read_limit(const std::string& text, ReadLimits& limits) {
+  const std::size_t equals = text.find('=');
+  std::int64_t value = 0;
+  if (equals == std::string::npos || !CLI::detail::lexical_cast(text.substr(equals + 1), value)) {
+    throw CLI::ValidationError("--max", "wants NAME=VALUE, as frames=1000");
+  }
+  const Status status = set_limit(limits, text.substr(0, equals), value);
+  if (!status) throw CLI::ValidationError("--max", status.error().message);
+}
+
 }  // namespace
 
 void add_input(CLI::App& command, Input& input, const std::string& name, const std::string& kind) {
@@ -28,6 +40,15 @@ void add_input(CLI::App& command, Input& input, const std::string& name, const s
           "--names-in", [&input](const std::string& id) { input.names_in = find_character_set(id); },
           "Character set of the names; by default a guess")
       ->check(CLI::IsMember(character_set_ids()));
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--max",
+          [&input](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) read_limit(text, input.limits);
+          },
+          "NAME=VALUE: another limit of reading; joints, depth, channels, frames, sample_bytes or bytes")
+      ->expected(1)
+      ->take_all();
 }
 
 namespace {

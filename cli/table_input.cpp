@@ -11,10 +11,10 @@ std::optional<BvhClip> read_table(const Input& input, const std::string& figure)
   if (!text) return std::nullopt;
   std::optional<BvhClip> with_figure;
   if (!figure.empty()) {
-    with_figure = read_clip_for_use({.file = figure, .strict = input.strict, .names_in = input.names_in, .as_json = false});
+    with_figure = read_clip_for_use({.file = figure, .strict = input.strict, .limits = input.limits, .names_in = input.names_in, .as_json = false});
     if (!with_figure) return std::nullopt;
   }
-  const TableOptions options{.strict = input.strict, .limits = {}};
+  const TableOptions options{.strict = input.strict, .limits = input.limits};
   Result<BvhClip> clip = with_figure ? read_channel_table(*text, *with_figure, options) : read_points_table(*text, options);
   if (!clip) {
     report_error(input.file, clip.error());

@@ -87,6 +87,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::TableTimeUneven, "table_time_uneven", Severity::Error, true},
     {Code::InvalidSkeleton, "invalid_skeleton", Severity::Error, true},
     {Code::InvalidArgument, "invalid_argument", Severity::Error, true},
+    {Code::Cancelled, "cancelled", Severity::Error, true},
 }};
 
 constexpr bool rows_follow_the_enum() {

@@ -91,9 +91,10 @@ enum class DiagnosticCode {
   TableTimeUneven,
   InvalidSkeleton,
   InvalidArgument,
+  Cancelled,
 };
 
-inline constexpr int kDiagnosticCodeCount = static_cast<int>(DiagnosticCode::InvalidArgument) + 1;
+inline constexpr int kDiagnosticCodeCount = static_cast<int>(DiagnosticCode::Cancelled) + 1;
 
 /// What is fixed about a code.
 struct DiagnosticTraits {

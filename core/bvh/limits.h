@@ -2,6 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
 
 namespace marey {
 
@@ -22,5 +26,10 @@ struct ReadLimits {
   /// The text, its conversion from UTF-16 if there is one, and the samples together.
   std::int64_t max_bytes = kAddressesAre32Bit ? kGibibyte * 3 / 2 : INT64_MAX;
 };
+
+/// Names for the command line and the JavaScript module: "joints", "depth", "channels", "frames", "sample_bytes", "bytes".
+[[nodiscard]] std::vector<std::string_view> limit_names();
+/// Sets one by its name. InvalidArgument: there is no such limit, or a value below 0 or too large for it.
+[[nodiscard]] Status set_limit(ReadLimits& limits, std::string_view name, std::int64_t value);
 
 }  // namespace marey

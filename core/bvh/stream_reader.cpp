@@ -79,6 +79,8 @@ std::vector<TextExcerpt> StreamReader::take_excerpts() { return std::exchange(ex
 
 int StreamReader::frame_count() const { return rows_ == nullptr ? 0 : static_cast<int>(rows_->frame_count()); }
 
+int StreamReader::channel_count() const { return frame_count() == 0 ? 0 : rows_->channel_count(); }
+
 std::optional<BvhClip> StreamReader::clip_so_far(std::int64_t most_samples) const {
   if (frame_count() == 0 || error_) return std::nullopt;
   return rows_->clip_so_far(most_samples);

@@ -44,6 +44,8 @@ class StreamReader {
 
   /// Frames that are read so far.
   [[nodiscard]] int frame_count() const;
+  /// 0 as long as no frames are read.
+  [[nodiscard]] int channel_count() const;
   /// What is known before the end: the figure with its first frames, of which at most `most_samples` are copied, and without
   /// findings and style. Nothing until the first frames are read.
   [[nodiscard]] std::optional<BvhClip> clip_so_far(std::int64_t most_samples) const;

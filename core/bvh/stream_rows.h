@@ -37,6 +37,7 @@ class StreamRows {
   [[nodiscard]] std::vector<TextExcerpt> find_excerpts(const Diagnostics& diagnostics) const;
 
   [[nodiscard]] Report& report() { return report_; }
+  [[nodiscard]] int channel_count() const { return input_.channel_count; }
   [[nodiscard]] std::int64_t frame_count() const { return rows_ ? rows_->store().frame_count() : 0; }
   [[nodiscard]] BvhClip clip_so_far(std::int64_t most_samples) const;
   [[nodiscard]] std::int64_t held_bytes() const;
@@ -49,7 +50,6 @@ class StreamRows {
   void learn_commas(std::string_view rows);
   void note_excerpts();
   [[nodiscard]] std::size_t find_unusual(std::string_view text, std::size_t from);
-  [[nodiscard]] int channel_count() const { return input_.channel_count; }
 
   std::string head_;  ///< stays where it is: the header is views into it
   const ReadOptions& options_;

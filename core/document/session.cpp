@@ -5,6 +5,10 @@
 namespace marey {
 namespace {
 
+Error refusal_of_partial() {
+  return {DiagnosticCode::InvalidArgument, {}, "The file is still being read. Wait for its end, then edit.", "", ""};
+}
+
 void follow_clip(Session& session) {
   const Motion& motion = session.document.motion();
   if (motion.frame_count() != session.playback.frame_count()) session.selection.samples().clear();
@@ -23,12 +27,14 @@ Session Session::open(BvhClip clip, std::string file_name) {
 }
 
 Status Session::apply(Edit edit) {
+  if (is_partial) return refusal_of_partial();
   Status status = document.apply(std::move(edit));
   follow_clip(*this);
   return status;
 }
 
 Status Session::apply_gesture(GestureId gesture, const History::MakeEdit& make_edit) {
+  if (is_partial) return refusal_of_partial();
   Status status = document.apply_gesture(gesture, make_edit);
   follow_clip(*this);
   return status;

@@ -18,6 +18,9 @@ struct Session {
   Playback playback;
   std::vector<TextExcerpt> excerpts;  ///< of each of the document's diagnostics, in the bytes of the file
 
+  /// More of the file is still to come: every edit is refused.
+  bool is_partial = false;
+
   /// Nothing selected, paused on the first frame.
   [[nodiscard]] static Session open(BvhClip clip, std::string file_name);
 

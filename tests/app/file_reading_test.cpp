@@ -32,7 +32,7 @@ TEST(OpeningATable, OfPointsNeedsNoFigure) {
 }
 
 TEST(OpeningATable, OfChannelsWithoutAFigureSaysWhatToDo) {
-  const Result<BvhClip> clip = read_opened_file("a.csv", channel_table("Hips.Zrotation"), nullptr);
+  const Result<BvhClip> clip = read_opened_table(channel_table("Hips.Zrotation"), nullptr);
   ASSERT_FALSE(clip);
   EXPECT_EQ(clip.error().code, DiagnosticCode::TableKind);
   EXPECT_NE(clip.error().message.find("Open that file first"), std::string::npos);

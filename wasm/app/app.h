@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -35,6 +36,11 @@ class App {
 
   /// Opens a file. On an error the open document stays as it was and the message is shown in the page.
   Status open_file(std::string file_name, std::string_view bytes);
+  /// The same by pieces; see wasm/app/opening.h.
+  void begin_loading(std::string file_name, std::int64_t size);
+  bool feed_loading(std::string_view bytes);
+  Status finish_loading();
+  void cancel_loading();
 
   /// Runs one frame between ImGui::NewFrame and ImGui::Render, both of which it calls. Returns true when a further
   /// frame is wanted without input (playing, animating, settling).

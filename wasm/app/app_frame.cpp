@@ -71,6 +71,8 @@ void follow_escape(AppParts& parts) {
     workspace.preferences.welcome_seen = true;
   } else if (ImGui::GetCurrentContext()->ActiveId != 0) {
     return;
+  } else if (workspace.loading) {
+    parts.commands.run("file.cancel_loading", nullptr);
   } else if (!workspace.messages.list().empty()) {
     workspace.messages.close(0);
   } else if (!selection.samples().empty()) {
@@ -101,6 +103,7 @@ void follow_clip(AppParts& parts) {
   parts.shown_clip_serial = parts.workspace.clip_serial;
   const Motion& motion = parts.workspace.session.document.motion();
   parts.time_window.fit(motion.frame_count());
+  if (parts.workspace.keeps_view) return;
   parts.workspace.preferences.options.strobe_every_frames =
       usual_strobe_distance(motion.frame_count(), motion.frame_time_s());
   parts.shell.document_opened();

@@ -111,6 +111,12 @@ void add_interface(json& state, const AppParts& parts) {
   state["sheet"] = kSheetNames[static_cast<int>(workspace.preferences.sheet)];
   state["messages"] = message_list(workspace.messages);
   state["status"] = parts.status;
+  const FileLoading* loading = workspace.loading.get();
+  if (loading == nullptr) {
+    state["loading"] = nullptr;
+  } else {
+    state["loading"] = {{"file", ui::displayable(loading->file_name())}, {"bytes", loading->fed_bytes()}, {"size", loading->size()}};
+  }
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ json apply_settings(Workspace& workspace, std::string name, const ClipSettings& 
 }
 
 std::string blocked_rule(const Workspace& workspace, PositionRule rule) {
-  if (std::string missing = needs_clip(workspace); !missing.empty()) return missing;
+  if (std::string missing = needs_whole_clip(workspace); !missing.empty()) return missing;
   if (rule != PositionRule::PerJoint || has_joints_that_add(workspace.session.document.skeleton())) return {};
   return "The file's position channels all speak for one meaning.";
 }
@@ -57,7 +57,7 @@ void add_up_axis(CommandRegistry& registry, Workspace& workspace, Axis axis, std
                   settings.up_axis = axis;
                   return apply_settings(workspace, label, settings);
                 },
-                .blocked = [&workspace] { return needs_clip(workspace); },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); },
                 .checked = [&workspace, axis] {
                   return workspace.has_clip() && workspace.session.document.settings().up_axis == axis;
                 }});
@@ -65,7 +65,7 @@ void add_up_axis(CommandRegistry& registry, Workspace& workspace, Axis axis, std
 
 /// Why another character set would change nothing.
 std::string needs_names(const Workspace& workspace) {
-  if (!workspace.has_clip()) return needs_clip(workspace);
+  if (!workspace.has_clip()) return needs_whole_clip(workspace);
   const Document& document = workspace.session.document;
   if (document.style().encoding != TextEncoding::Bytes) return "The file is UTF-16: its letters are certain.";
   return telling_names(document.skeleton(), CharacterSet::Utf8, 1).empty()
@@ -128,13 +128,13 @@ void add_clip_commands(CommandRegistry& registry, Workspace& workspace) {
                 .label = "Length of a unit",
                 .help = "Sets how many metres a file unit is.",
                 .run = [&workspace](const json& args) { return set_unit(workspace, args); },
-                .blocked = [&workspace] { return needs_clip(workspace); },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); },
                 .in_palette = false});
   registry.add({.id = "clip.frame_time",
                 .label = "Frame time",
                 .help = "Sets the seconds per frame.",
                 .run = [&workspace](const json& args) { return set_frame_time(workspace, args); },
-                .blocked = [&workspace] { return needs_frames(workspace); },
+                .blocked = [&workspace] { return workspace.has_frames() ? needs_whole_clip(workspace) : needs_frames(workspace); },
                 .in_palette = false});
 }
 

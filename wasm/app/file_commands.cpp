@@ -33,6 +33,10 @@ std::string download_name(std::string_view file_name) {
 
 std::string needs_clip(const Workspace& workspace) { return workspace.has_clip() ? "" : "Open a file first."; }
 
+std::string needs_whole_clip(const Workspace& workspace) {
+  return workspace.session.is_partial ? "The file is still being read." : needs_clip(workspace);
+}
+
 std::string needs_frames(const Workspace& workspace) {
   if (!workspace.has_clip()) return needs_clip(workspace);
   return workspace.has_frames() ? "" : "This clip has no frames.";
@@ -48,6 +52,17 @@ void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
                   workspace.backend.ask_for_file();
                   return nullptr;
                 }});
+  registry.add({.id = "file.cancel_loading",
+                .label = "Stop reading the file",
+                .help = "Gives up the file that is being read. What was open before comes back.",
+                .icon = icons::kX,
+                .run = [&workspace](const json&) -> json {
+                  const std::string name = ui::displayable(workspace.loading->file_name());
+                  workspace.cancel_loading();
+                  workspace.notify("Reading " + name + " was stopped.");
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return workspace.loading ? "" : "No file is being read."; }});
   add_save_commands(registry, workspace);
   registry.add({.id = "file.previous",
                 .label = "Go back to the other file",

@@ -1,22 +1,10 @@
 #include "wasm/app/file_reading.h"
 
-#include "core/bvh/reader.h"
 #include "core/motion/resampling.h"
 #include "core/table/csv_reader.h"
 
 namespace marey::app {
 namespace {
-
-bool is_table(std::string_view file_name) {
-  constexpr std::string_view kExtension = ".csv";
-  if (file_name.size() < kExtension.size()) return false;
-  const std::string_view end = file_name.substr(file_name.size() - kExtension.size());
-  for (std::size_t i = 0; i < end.size(); ++i) {
-    const char lower = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
-    if (lower != kExtension[i]) return false;
-  }
-  return true;
-}
 
 BvhClip figure_of(const Document& document) {
   BvhClip figure;
@@ -32,8 +20,18 @@ BvhClip figure_of(const Document& document) {
 
 }  // namespace
 
-Result<BvhClip> read_opened_file(std::string_view file_name, std::string_view bytes, const Document* open_document) {
-  if (!is_table(file_name)) return read_bvh(bytes);
+bool is_table(std::string_view file_name) {
+  constexpr std::string_view kExtension = ".csv";
+  if (file_name.size() < kExtension.size()) return false;
+  const std::string_view end = file_name.substr(file_name.size() - kExtension.size());
+  for (std::size_t i = 0; i < end.size(); ++i) {
+    const char lower = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
+    if (lower != kExtension[i]) return false;
+  }
+  return true;
+}
+
+Result<BvhClip> read_opened_table(std::string_view bytes, const Document* open_document) {
   Result<BvhClip> points = read_points_table(bytes);
   if (points || points.error().code != DiagnosticCode::TableKind) return points;
   if (open_document != nullptr) return read_channel_table(bytes, figure_of(*open_document));

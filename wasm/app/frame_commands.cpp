@@ -74,6 +74,7 @@ void add_frame_choice(CommandRegistry& registry, Workspace& workspace, FrameChoi
   choice.leave_out.checked = choice.is_left_out;
   choice.leave_out.blocked = [&workspace, missing = choice.missing, is_left_out = choice.is_left_out]() -> std::string {
     if (!workspace.has_frames()) return needs_frames(workspace);
+    if (workspace.session.is_partial) return needs_whole_clip(workspace);
     return is_left_out() ? "It is left out already." : missing();
   };
   registry.add(std::move(choice.keep));
@@ -120,7 +121,7 @@ void add_frame_commands(CommandRegistry& registry, Workspace& workspace) {
                 .label = "Leave out frames",
                 .help = "Takes frames out of the clip; those behind them move up.",
                 .run = [&workspace](const json& args) { return remove_frames(workspace, args); },
-                .blocked = [&workspace] { return needs_frames(workspace); },
+                .blocked = [&workspace] { return workspace.has_frames() ? needs_whole_clip(workspace) : needs_frames(workspace); },
                 .in_palette = false});
   add_frame_choices(registry, workspace);
 }

@@ -58,7 +58,7 @@ void add_save_commands(CommandRegistry& registry, Workspace& workspace) {
                 .shortcut = "Ctrl+S",
                 .icon = icons::kDownload,
                 .run = [&workspace](const json&) { return download(workspace, {}); },
-                .blocked = [&workspace] { return needs_clip(workspace); }});
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
   registry.add({.id = "file.save_as",
                 .label = "Download as…",
                 .help = "Saves a copy for another program, as a table, with fewer decimals, or some of the frames.",
@@ -73,7 +73,7 @@ void add_save_commands(CommandRegistry& registry, Workspace& workspace) {
                   json problem = read_wanted(workspace, args, wanted);
                   return problem.is_null() ? download(workspace, wanted) : problem;
                 },
-                .blocked = [&workspace] { return needs_clip(workspace); }});
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
 }
 
 }  // namespace marey::app

@@ -120,6 +120,15 @@ void Shell::document_opened() {
   viewport_.document_opened();
 }
 
+void Shell::draw_strips(ViewContext& context, Workspace& workspace, const Region& region) {
+  const ImU32 panel = context.theme.panel;
+  const float border = region.min.y + loading_strip_.height(context, workspace.loading.get());
+  const Region loading{region.min, ImVec2(region.max.x, std::min(border, region.max.y))};
+  const Region messages{ImVec2(region.min.x, border), region.max};
+  draw_region(context, {"loading", loading, panel, kTop}, [&] { loading_strip_.draw(context, *workspace.loading); });
+  draw_region(context, {"messages", messages, panel, kTop}, [&] { message_strip_.draw(context, workspace.messages); });
+}
+
 void Shell::draw_side_panels(ViewContext& context, const Layout& layout) {
   const ImU32 panel = context.theme.panel;
   const unsigned side = layout.compact ? kNoEdge : kTop;
@@ -146,7 +155,8 @@ Layout Shell::lay_out(ViewContext& context, Workspace& workspace) {
   };
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   return compute_layout({.size = size,
-                         .messages_height = message_strip_.height(context, workspace.messages, size.x),
+                         .messages_height = loading_strip_.height(context, workspace.loading.get()) +
+                                            message_strip_.height(context, workspace.messages, size.x),
                          .touch = options.touch,
                          .outliner_share = move(outliner_opening_, options.show_outliner),
                          .inspector_share = move(inspector_opening_, options.show_inspector),
@@ -162,8 +172,7 @@ void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
 
   const ImU32 panel = context.theme.panel;
   draw_region(context, {"title", layout.title, panel}, [&] { title_bar_.draw(context, layout.compact); });
-  draw_region(context, {"messages", layout.messages, panel, kTop},
-              [&] { message_strip_.draw(context, workspace.messages); });
+  draw_strips(context, workspace, layout.messages);
   draw_side_panels(context, layout);
   draw_time_panels(context, layout);
   draw_region(context, {"sheets", layout.sheet_header, panel, kTop}, [&] { draw_sheet_tabs(context); });

@@ -9,6 +9,7 @@
 #include "wasm/views/command_palette.h"
 #include "wasm/views/curves_view.h"
 #include "wasm/views/inspector_view.h"
+#include "wasm/views/loading_strip.h"
 #include "wasm/views/message_strip.h"
 #include "wasm/views/outliner_view.h"
 #include "wasm/views/save_as_view.h"
@@ -33,6 +34,7 @@ class Shell {
   void add_commands(CommandRegistry& registry, Workspace& workspace, TimeWindow& time_window);
 
  private:
+  void draw_strips(ViewContext& context, Workspace& workspace, const Region& region);
   void draw_side_panels(ViewContext& context, const Layout& layout);
   void draw_time_panels(ViewContext& context, const Layout& layout);
 
@@ -42,6 +44,7 @@ class Shell {
   Transition inspector_opening_;
   Transition curves_opening_;
   TitleBar title_bar_;
+  LoadingStrip loading_strip_;
   MessageStrip message_strip_;
   OutlinerView outliner_;
   InspectorView inspector_;

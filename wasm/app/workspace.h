@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/document/session.h"
+#include "wasm/app/file_loading.h"
 #include "wasm/app/messages.h"
 #include "wasm/app/preferences.h"
 #include "wasm/platform/backend.h"
@@ -28,6 +30,18 @@ struct Workspace {
   Overlay overlay = Overlay::None;
   bool problems_wanted = false;  ///< the inspector is to turn to the problems in the next frame
   SystemPreferences system;
+
+  /// The file that is being read, and what was open when its first frames took the place of it.
+  std::unique_ptr<FileLoading> loading;
+  std::optional<Session> before_loading;
+  bool keeps_view = false;  ///< the clip of this serial shows what the one before it showed, with more frames
+
+  /// Shows more of the file that is being read: a session that cannot be edited.
+  void show_loaded_part(Session part);
+  /// Stops reading: what was open before is back.
+  void cancel_loading();
+  /// What edits and downloads are about: not the part of a file that is shown while it is read.
+  [[nodiscard]] const Document& whole_document() const { return before_loading ? before_loading->document : session.document; }
 
   /// Opens a session in place of the present one, which is kept as `previous` when it has changes to lose.
   void open(Session opened);

@@ -46,22 +46,11 @@ void compute_one_frame(ModuleClip& clip, int frame) {
 /// Indices are in range: the caller checks them.
 extern "C" {
 
-/// Never null; marey_clip_is_open tells whether the text could be read. `names_in`: index in marey::kCharacterSets, -1
-/// for a guess.
-EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse(const char* text, size_t size, int strict, int names_in) {
-  auto* clip = new ModuleClip;
-  marey::ReadOptions options;
-  options.strict = strict != 0;
-  if (names_in >= 0) options.names_in = marey::kCharacterSets[marey::idx(names_in)];
-  take_read(*clip, marey::read_bvh(std::string_view(text, size), options));
-  return clip;
-}
-
 EMSCRIPTEN_KEEPALIVE void marey_clip_dispose(ModuleClip* clip) { delete clip; }
 
 EMSCRIPTEN_KEEPALIVE int marey_clip_is_open(const ModuleClip* clip) { return clip->is_open ? 1 : 0; }
 
-/// After marey_clip_parse the clip or the error as JSON, after marey_clip_write the file.
+/// After reading the clip or the error as JSON, after marey_clip_write the file.
 EMSCRIPTEN_KEEPALIVE const char* marey_clip_text(const ModuleClip* clip) { return clip->text.data(); }
 EMSCRIPTEN_KEEPALIVE size_t marey_clip_text_size(const ModuleClip* clip) { return clip->text.size(); }
 

@@ -22,7 +22,7 @@ marey::Clip clip_of(const marey::BvhClip& bvh) {
 /// Tables and copies for other programs; see module.cpp for how text comes and goes.
 extern "C" {
 
-/// As marey_clip_parse. `figure`: the clip whose channels the table has, null for a table of points.
+/// As marey_reader_finish. `figure`: the clip whose channels the table has, null for a table of points.
 EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse_table(const char* text, size_t size, int strict, const ModuleClip* figure) {
   auto* clip = new ModuleClip;
   const std::string_view table(text, size);

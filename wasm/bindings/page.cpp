@@ -64,10 +64,30 @@ EMSCRIPTEN_KEEPALIVE int marey_restore_context(PageBinding* binding) {
   return report(*binding, binding->page.restore_context());
 }
 
-EMSCRIPTEN_KEEPALIVE int marey_open(PageBinding* binding, const char* name, size_t name_size, const char* bytes,
-                                    size_t byte_count) {
-  return report(*binding,
-                binding->page.app().open_file(std::string(view_of(name, name_size)), view_of(bytes, byte_count)));
+/// A file by pieces. `size`: its bytes, 0 if nobody knows.
+EMSCRIPTEN_KEEPALIVE void marey_begin_loading(PageBinding* binding, const char* name, size_t name_size, double size) {
+  binding->page.app().begin_loading(std::string(view_of(name, name_size)), static_cast<std::int64_t>(size));
+}
+
+/// Where the next piece, of `size` bytes, is to be put; null if there is no memory for it.
+EMSCRIPTEN_KEEPALIVE char* marey_piece(PageBinding* binding, size_t size) {
+  if (binding->piece.size() < size) binding->piece.resize(size);
+  return binding->piece.data();
+}
+
+/// Reads `size` bytes of the piece; 0 when no more are wanted.
+EMSCRIPTEN_KEEPALIVE int marey_feed(PageBinding* binding, size_t size) {
+  return binding->page.app().feed_loading(view_of(binding->piece.data(), size)) ? 1 : 0;
+}
+
+EMSCRIPTEN_KEEPALIVE int marey_finish_loading(PageBinding* binding) {
+  binding->piece = {};
+  return report(*binding, binding->page.app().finish_loading());
+}
+
+EMSCRIPTEN_KEEPALIVE void marey_cancel_loading(PageBinding* binding) {
+  binding->piece = {};
+  binding->page.app().cancel_loading();
 }
 
 EMSCRIPTEN_KEEPALIVE void marey_save(PageBinding* binding) { binding->result = binding->page.app().save_text(); }

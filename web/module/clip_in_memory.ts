@@ -15,20 +15,8 @@ interface Description {
   diagnostics: Diagnostic[];
 }
 
-/** In the order of kCharacterSets in core/text/character_set.h. */
-const characterSets: readonly CharacterSet[] = ["utf-8", "windows-1251", "windows-1252", "gbk", "shift_jis"];
-
 /** In the order of kPositionRuleIds in core/skeleton/position_rule.h. */
 const positionMeanings: readonly PositionMeaning[] = ["replace", "add", "per_joint"];
-
-/** What the program takes for a character set: its index, -1 for a guess. */
-function numberOf(set: CharacterSet | undefined): number {
-  const index = set === undefined ? -1 : characterSets.indexOf(set);
-  if (set !== undefined && index < 0) {
-    throw new MareyError("invalid_argument", `namesIn is one of ${characterSets.join(", ")}, not ${String(set)}.`);
-  }
-  return index;
-}
 
 /**
  * A clip in the memory of the WebAssembly program. That memory may move whenever the program is called, so addresses
@@ -54,10 +42,12 @@ export class ClipInMemory implements Clip {
     this.diagnostics = description.diagnostics;
   }
 
-  static parse(module: CoreProgram, bytes: Uint8Array, strict: boolean, namesIn?: CharacterSet): ClipInMemory {
-    const set = numberOf(namesIn);
-    return ClipInMemory.read(module, bytes, (address) =>
-      module._marey_clip_parse(address, bytes.length, strict ? 1 : 0, set));
+  /** Takes over the clip at `handle`. Throws the MareyError that stands there instead. */
+  static take(module: CoreProgram, handle: number): ClipInMemory {
+    const description = JSON.parse(new TextDecoder().decode(copyText(module, handle)));
+    if (module._marey_clip_is_open(handle) !== 0) return new ClipInMemory(module, handle, description);
+    module._marey_clip_dispose(handle);
+    throw errorOf(description);
   }
 
   static parseTable(module: CoreProgram, bytes: Uint8Array, strict: boolean, figure?: Clip): ClipInMemory {
@@ -65,16 +55,8 @@ export class ClipInMemory implements Clip {
       throw new MareyError("invalid_argument", "The figure is a clip of the same module.");
     }
     const figureAt = figure === undefined ? 0 : figure.open();
-    return ClipInMemory.read(module, bytes, (address) =>
-      module._marey_clip_parse_table(address, bytes.length, strict ? 1 : 0, figureAt));
-  }
-
-  private static read(module: CoreProgram, bytes: Uint8Array, parse: (address: number) => number): ClipInMemory {
-    const handle = withBytes(module, bytes, parse);
-    const description = JSON.parse(new TextDecoder().decode(copyText(module, handle)));
-    if (module._marey_clip_is_open(handle) !== 0) return new ClipInMemory(module, handle, description);
-    module._marey_clip_dispose(handle);
-    throw errorOf(description);
+    return ClipInMemory.take(module, withBytes(module, bytes, (address) =>
+      module._marey_clip_parse_table(address, bytes.length, strict ? 1 : 0, figureAt)));
   }
 
   channel(index: number): Float64Array {
@@ -190,19 +172,19 @@ function styleNumbers(decimals?: number, lineEnds?: "lf" | "crlf"): [number, num
   return [decimals ?? -1, lineEnds === undefined ? -1 : lineEnds === "lf" ? 0 : 1];
 }
 
-interface ErrorDescription {
+export interface ErrorDescription {
   code: string;
   message: string;
   line: number;
   column: number;
 }
 
-function errorOf({ code, message, line, column }: ErrorDescription): MareyError {
+export function errorOf({ code, message, line, column }: ErrorDescription): MareyError {
   return new MareyError(code, message, line, column);
 }
 
 /** Copies bytes into the program's memory for one call. */
-function withBytes<T>(module: CoreProgram, bytes: Uint8Array, call: (address: number) => T): T {
+export function withBytes<T>(module: CoreProgram, bytes: Uint8Array, call: (address: number) => T): T {
   const address = module._malloc(Math.max(bytes.length, 1));
   if (address === 0) throw new MareyError("limit_memory", `There is no memory for a file of ${bytes.length} bytes.`);
   module.HEAPU8.set(bytes, address);

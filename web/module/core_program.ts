@@ -5,7 +5,15 @@ export interface CoreProgram {
   readonly HEAPF64: Float64Array<ArrayBuffer>;
   _malloc(size: number): number;
   _free(address: number): void;
-  _marey_clip_parse(text: number, size: number, strict: number, namesIn: number): number;
+  _marey_reader_options(strict: number, namesIn: number): void;
+  _marey_reader_limit(name: number, nameSize: number, value: number): number;
+  _marey_reader_open(expectedBytes: number): number;
+  _marey_reader_piece(reader: number, size: number): number;
+  _marey_reader_feed(reader: number, size: number): number;
+  _marey_reader_frame_count(reader: number): number;
+  _marey_reader_clip_so_far(reader: number, mostFrames: number): number;
+  _marey_reader_finish(reader: number): number;
+  _marey_reader_dispose(reader: number): void;
   _marey_clip_parse_table(text: number, size: number, strict: number, figure: number): number;
   _marey_clip_dispose(clip: number): void;
   _marey_clip_is_open(clip: number): number;

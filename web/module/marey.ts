@@ -1,5 +1,6 @@
 import createModule from "marey-module";
 import { ClipInMemory } from "./clip_in_memory.js";
+import { ReaderInMemory } from "./reader_in_memory.js";
 import { readProgram } from "./read_program.js";
 
 export { MareyError } from "./marey_error.js";
@@ -140,11 +141,56 @@ export interface ParseOptions {
   strict?: boolean;
   /** Character set of the names; by default a guess. */
   namesIn?: CharacterSet;
+  limits?: Limits;
+}
+
+/** What a file may ask for; docs/limits.md has the defaults. */
+export interface Limits {
+  joints?: number;
+  depth?: number;
+  channels?: number;
+  frames?: number;
+  /** Memory for samples. */
+  sampleBytes?: number;
+  /** Memory for text and samples together. */
+  bytes?: number;
+}
+
+export interface ReaderOptions extends ParseOptions {
+  /** Size of the file, where it is known: room for the samples is then made once and exactly. */
+  expectedBytes?: number;
+}
+
+/** Reads a BVH file while it comes, without holding its text. */
+export interface ClipReader {
+  /**
+   * Takes the next bytes, or text that ends with a whole character. False once the file cannot be read, whatever follows:
+   * `finish` says why.
+   */
+  feed(piece: Uint8Array | string): boolean;
+
+  /** Frames that are read so far. */
+  readonly frameCount: number;
+
+  /**
+   * A clip of its own with the first frames, all that are read or `mostFrames`, and without findings; undefined while there
+   * are none. Dispose of it.
+   */
+  clipSoFar(mostFrames?: number): Clip | undefined;
+
+  /** The clip, as `parse` gives it. Throws a MareyError that says where and why the file cannot be read. Ends the reader. */
+  finish(): Clip;
+
+  /** Gives the file up and its memory back. */
+  cancel(): void;
 }
 
 export interface Marey {
   /** Reads a BVH file. Throws a MareyError that says where and why it cannot be read. */
   parse(data: Uint8Array | string, options?: ParseOptions): Clip;
+
+  /** Begins to read a BVH file that comes by pieces. End it by `finish` or `cancel`. */
+  reader(options?: ReaderOptions): ClipReader;
 
   /** Reads a CSV table of channels or of points; docs/command-line.md#tables-in. Throws a MareyError as `parse` does. */
   parseTable(data: Uint8Array | string, options?: ParseTableOptions): Clip;
@@ -161,9 +207,13 @@ export async function createMarey(options: MareyOptions = {}): Promise<Marey> {
   const wasmBinary = given ? new Uint8Array(given) : await readProgram(new URL("marey.wasm", import.meta.url));
   const module = await createModule({ wasmBinary });
   return {
-    parse(data, { strict = false, namesIn } = {}) {
-      return ClipInMemory.parse(module, bytesOf(data), strict, namesIn);
+    parse(data, options = {}) {
+      const bytes = bytesOf(data);
+      const reader = new ReaderInMemory(module, { ...options, expectedBytes: bytes.length });
+      reader.feed(bytes);
+      return reader.finish();
     },
+    reader: (options) => new ReaderInMemory(module, options),
     parseTable(data, { strict = false, figure } = {}) {
       return ClipInMemory.parseTable(module, bytesOf(data), strict, figure);
     },

@@ -4,6 +4,8 @@ import { readAsset } from "./assets";
 import { CanvasSize } from "./canvas_size";
 import { MareyError } from "../module/marey_error";
 import { type FailureKind, type Rescue, showFailure } from "./failure";
+import { FileLoader } from "./file_loader";
+import { type FileSource, sourceOf, sourceOfResponse } from "./file_source";
 import { Files } from "./files";
 import { FrameLoop } from "./frame_loop";
 import { KeyboardInput, shortcutChords } from "./keyboard_input";
@@ -25,13 +27,15 @@ export class Application {
   program!: Program;
   private readonly canvas = document.getElementById("canvas") as HTMLCanvasElement;
   private readonly files: Files;
+  private readonly loader: FileLoader;
   private readonly textField: TextField;
-  private opened: Rescue | undefined;
+  private opened: { name: string; source: FileSource } | undefined;
   private failed = false;
 
   constructor() {
     this.loop = new FrameLoop((nowMs) => this.program.frame(nowMs), (error) => this.fail("stopped", error));
-    this.files = new Files((name, bytes) => this.tryToOpen(name, bytes));
+    this.files = new Files((name, data) => void this.tryToOpen(name, sourceOf(data)));
+    this.loader = new FileLoader(() => this.program, this.loop);
     const textElement = document.getElementById("text-input") as HTMLTextAreaElement;
     this.textField = new TextField(textElement, this.canvas, () => this.program, () => this.loop.request());
   }
@@ -74,14 +78,14 @@ export class Application {
       showNotice(`${src.href} could not be loaded: ${reason}.`);
       return;
     }
-    this.tryToOpen(fileNameOf(src), new Uint8Array(await response.arrayBuffer()));
+    await this.tryToOpen(fileNameOf(src), sourceOfResponse(response));
   }
 
-  /** Takes the bytes over. Throws a MareyError when the file is refused; the program shows it too. */
-  open(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+  /** Reads and opens a file. Throws a MareyError when it is refused; the program shows it too. */
+  async open(name: string, source: FileSource): Promise<void> {
     try {
-      this.program.open(name, bytes);
-      this.opened = { name, bytes };
+      await this.loader.load(name, source);
+      this.opened = { name, source };
     } catch (error) {
       if (!(error instanceof MareyError)) this.fail("stopped", error);
       throw error;
@@ -147,28 +151,32 @@ export class Application {
 
   private async loadSample(id: string): Promise<void> {
     try {
-      this.tryToOpen(`${id}.bvh`, await readAsset(`samples/${id}.bvh`));
+      await this.tryToOpen(`${id}.bvh`, sourceOf(new Blob([await readAsset(`samples/${id}.bvh`)])));
     } catch (error) {
       showNotice(`The sample could not be loaded: ${error instanceof Error ? error.message : error}`);
     }
   }
 
-  private tryToOpen(name: string, bytes: Uint8Array<ArrayBuffer>): void {
+  private async tryToOpen(name: string, source: FileSource): Promise<void> {
     try {
-      this.open(name, bytes);
+      await this.open(name, source);
     } catch (error) {
-      // The program says why it refused a file; it does not hear of one for which there is no memory.
-      if (error instanceof MareyError && error.code === "out_of_memory") showNotice(`${name} is too large. ${error.message}`);
+      // The program says why it refused a file; it does not hear of one that does not come, or for which there is no memory.
+      if (!(error instanceof MareyError)) return;
+      if (error.code === "out_of_memory") showNotice(`${name} is too large. ${error.message}`);
+      if (error.code === "not_loaded") showNotice(error.message);
     }
   }
 
   /** The open document with its edits if the program still answers, else as it was opened. */
   private rescue(): Rescue | undefined {
     if (!this.opened) return undefined;
+    const { name, source } = this.opened;
     try {
-      return { name: this.opened.name, bytes: this.program.save() };
+      return { name, data: this.program.save() };
     } catch {
-      return this.opened;
+      const data = source.kept();
+      return data && { name, data };
     }
   }
 }

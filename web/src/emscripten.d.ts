@@ -14,7 +14,11 @@ declare module "marey-app" {
     _marey_forget_letters(page: number): void;
     _marey_lose_context(page: number): void;
     _marey_restore_context(page: number): number;
-    _marey_open(page: number, name: number, nameSize: number, bytes: number, byteCount: number): number;
+    _marey_begin_loading(page: number, name: number, nameSize: number, size: number): void;
+    _marey_piece(page: number, size: number): number;
+    _marey_feed(page: number, size: number): number;
+    _marey_finish_loading(page: number): number;
+    _marey_cancel_loading(page: number): void;
     _marey_save(page: number): void;
     _marey_state(page: number): void;
     _marey_commands(page: number): void;

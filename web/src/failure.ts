@@ -31,7 +31,7 @@ const texts: Record<FailureKind, { title: string; reason: string; advice: string
 /** The open document as it can still be had after a failure. */
 export interface Rescue {
   name: string;
-  bytes: Uint8Array<ArrayBuffer>;
+  data: Uint8Array<ArrayBuffer> | Blob;
 }
 
 const element = (id: string): HTMLElement => document.getElementById(id)!;
@@ -46,7 +46,7 @@ export function showFailure(kind: FailureKind, cause: unknown, rescue?: Rescue):
   element("failure-reload").onclick = () => location.reload();
   const rescueButton = element("failure-download");
   rescueButton.hidden = !rescue;
-  rescueButton.onclick = () => rescue && download(rescue.name, rescue.bytes);
+  rescueButton.onclick = () => rescue && download(rescue.name, rescue.data);
   element("loading").hidden = true;
   element("canvas").hidden = true;
   element("failure").hidden = false;

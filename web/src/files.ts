@@ -1,7 +1,7 @@
 import { hideNotice, showNotice } from "./notice";
 
 /** Opens a file in the program; what is wrong with it is said on the page. */
-export type OpenBytes = (name: string, bytes: Uint8Array<ArrayBuffer>) => void;
+export type OpenFile = (name: string, data: Blob) => void;
 
 const looksLikeBvh = /^[\s\ufeff]*HIERARCHY\b/i;
 
@@ -10,9 +10,9 @@ export class Files {
   private readonly input = document.getElementById("file-input") as HTMLInputElement;
   private readonly overlay = document.getElementById("drop-overlay")!;
 
-  constructor(private readonly open: OpenBytes) {
+  constructor(private readonly open: OpenFile) {
     this.input.addEventListener("change", () => {
-      void this.openFirst([...(this.input.files ?? [])]);
+      this.openFirst([...(this.input.files ?? [])]);
       this.input.value = "";
     });
     window.addEventListener("dragover", (event) => this.dragOver(event));
@@ -30,13 +30,13 @@ export class Files {
   paste(data: DataTransfer): boolean {
     const files = [...data.files];
     if (files.length > 0) {
-      void this.openFirst(files);
+      this.openFirst(files);
       return true;
     }
     const text = data.getData("text/plain");
     if (!looksLikeBvh.test(text)) return false;
     hideNotice();
-    this.open("pasted.bvh", new TextEncoder().encode(text));
+    this.open("pasted.bvh", new Blob([text]));
     return true;
   }
 
@@ -54,25 +54,18 @@ export class Files {
   }
 
   /** Opens the first BVH file, or the only file whatever its name. */
-  private async openFirst(files: File[]): Promise<void> {
+  private openFirst(files: File[]): void {
     if (files.length === 0) return;
     const file = files.find(({ name }) => /\.bvh$/i.test(name)) ?? files[0]!;
-    let bytes: Uint8Array<ArrayBuffer>;
-    try {
-      bytes = new Uint8Array(await file.arrayBuffer());
-    } catch {
-      showNotice(`${file.name} could not be read. Check that it still exists and that the browser may read it.`);
-      return;
-    }
     hideNotice();
-    this.open(file.name, bytes);
+    this.open(file.name, file);
     if (files.length > 1) showNotice(`${files.length} files were given; ${file.name} was opened, one at a time.`);
   }
 }
 
 /** Hands bytes to the browser as a download. */
-export function download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
-  const url = URL.createObjectURL(new Blob([bytes], { type: "application/octet-stream" }));
+export function download(name: string, data: Uint8Array<ArrayBuffer> | Blob): void {
+  const url = URL.createObjectURL(new Blob([data], { type: "application/octet-stream" }));
   const link = document.createElement("a");
   link.href = url;
   link.download = name;

@@ -7,6 +7,9 @@ import { makePageApi } from "./make_page_api";
 import { MareyError } from "../module/marey_error";
 import { applyTheme, loadPreferences } from "./preferences";
 
+/** So long the page waits with its first picture for the file that it shows. */
+const patienceMs = 400;
+
 /** What the browser lacks, if anything. */
 function findMissingPart(): FailureKind | undefined {
   if (typeof WebAssembly !== "object") return "no-wasm";
@@ -31,10 +34,13 @@ async function startPage(application: Application): Promise<void> {
   }
   try {
     await application.start(await loadProgramFiles());
-    await application.openRequested(request);
+    const opened = application.openRequested(request);
+    // A file that takes longer shows its progress in the page.
+    await Promise.race([opened, new Promise((done) => setTimeout(done, patienceMs))]);
     application.loop.drawNow();
     application.loop.request();
     hideLoading();
+    await opened;
   } catch (error) {
     application.fail(kindOfFailure(error), error);
     throw error;

@@ -1,12 +1,6 @@
 import type { Application } from "./application";
+import { sourceOf } from "./file_source";
 import type { CommandInfo, Item, PageApi } from "./page_api";
-
-/** The bytes of what a caller hands over, a copy. */
-async function bytesOf(data: string | Uint8Array | ArrayBuffer | Blob): Promise<Uint8Array<ArrayBuffer>> {
-  if (typeof data === "string") return new TextEncoder().encode(data);
-  if (data instanceof Blob) return new Uint8Array(await data.arrayBuffer());
-  return data instanceof Uint8Array ? new Uint8Array(data) : new Uint8Array(data.slice(0));
-}
 
 /** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */
 export function makePageApi(application: Application, ready: Promise<void>): PageApi {
@@ -14,7 +8,7 @@ export function makePageApi(application: Application, ready: Promise<void>): Pag
     ready,
     async open(name, data) {
       await ready;
-      application.open(name, await bytesOf(data));
+      await application.open(name, sourceOf(new Blob([data as BlobPart])));
       application.loop.drawNow();
       return application.state();
     },

@@ -63,6 +63,8 @@ export interface State {
   /** What the page has said and nobody has closed yet. */
   messages: { title: string; detail: string }[];
   status: string;
+  /** The file that is being read; `size` is 0 if nobody knows it. Frames that have come are shown and cannot be edited yet. */
+  loading: { file: string; bytes: number; size: number } | null;
 }
 
 export interface CommandInfo {
@@ -92,7 +94,7 @@ export interface Item {
 export interface PageApi {
   /** Resolves when the page has started and has opened what its address asks for. */
   readonly ready: Promise<void>;
-  /** Opens a BVH file. Rejects with a MareyError { code, message, line, column }; the open document then stays. */
+  /** Reads a BVH file piece by piece and opens it. Rejects with a MareyError { code, message, line, column }; the open document then stays. */
   open(name: string, data: string | Uint8Array | ArrayBuffer | Blob): Promise<State>;
   /** The document as a BVH file, as Download gives it. */
   save(): Uint8Array;

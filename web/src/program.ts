@@ -60,11 +60,26 @@ export class Program {
     this.check(this.module._marey_restore_context(this.page));
   }
 
-  /** Throws a MareyError with the place in the file; the open document then stays. */
-  open(name: string, bytes: Uint8Array): void {
-    const opened = this.withBytes([encode(name), bytes], (nameAt, nameSize, bytesAt, byteCount) =>
-      this.module._marey_open(this.page, nameAt!, nameSize!, bytesAt!, byteCount!));
-    this.check(opened);
+  /** Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. */
+  beginLoading(name: string, size: number): void {
+    this.withBytes([encode(name)], (nameAt, nameSize) => this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size));
+  }
+
+  /** Reads the next bytes. False when no more are wanted: finishLoading() says why. */
+  feed(bytes: Uint8Array): boolean {
+    const address = this.module._marey_piece(this.page, bytes.length);
+    if (address === 0) throw new MareyError("out_of_memory", "The browser gives no more memory.");
+    this.module.HEAPU8.set(bytes, address);
+    return this.module._marey_feed(this.page, bytes.length) !== 0;
+  }
+
+  /** Opens what was read. Throws a MareyError with the place in the file; the document that was open then stays. */
+  finishLoading(): void {
+    this.check(this.module._marey_finish_loading(this.page));
+  }
+
+  cancelLoading(): void {
+    this.module._marey_cancel_loading(this.page);
   }
 
   save(): Uint8Array<ArrayBuffer> {

@@ -1,0 +1,45 @@
+#include "wasm/app/file_loading.h"
+
+#include <utility>
+
+#include "wasm/app/file_reading.h"
+
+namespace marey::app {
+namespace {
+
+/// 32 MB: copied within a frame.
+constexpr std::int64_t kMostShownSamples = std::int64_t{4} << 20;
+
+}  // namespace
+
+FileLoading::FileLoading(std::string file_name, std::int64_t size) : file_name_(std::move(file_name)), size_(size) {
+  StreamOptions options;
+  options.expected_bytes = size;
+  if (!is_table(file_name_)) reader_.emplace(ReadOptions{}, options);
+}
+
+bool FileLoading::feed(std::string_view bytes) {
+  fed_bytes_ += static_cast<std::int64_t>(bytes.size());
+  if (reader_) return reader_->feed(bytes);
+  table_ += bytes;
+  return true;
+}
+
+Result<BvhClip> FileLoading::finish(const Document* open_document) {
+  return reader_ ? reader_->finish() : read_opened_table(table_, open_document);
+}
+
+std::vector<TextExcerpt> FileLoading::take_excerpts() {
+  return reader_ ? reader_->take_excerpts() : std::vector<TextExcerpt>();
+}
+
+std::optional<BvhClip> FileLoading::take_news() {
+  const int frames = reader_ ? reader_->frame_count() : 0;
+  if (2 * frames < 3 * shown_frames_ + 2) return std::nullopt;
+  std::optional<BvhClip> clip = reader_->clip_so_far(kMostShownSamples);
+  if (!clip || clip->motion.frame_count() <= shown_frames_) return std::nullopt;
+  shown_frames_ = clip->motion.frame_count();
+  return clip;
+}
+
+}  // namespace marey::app

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/base/text_excerpt.h"
+#include "core/bvh/bvh_clip.h"
+#include "core/bvh/stream_reader.h"
+#include "core/document/document.h"
+
+namespace marey::app {
+
+/// A file on its way into the program: a BVH file is read while it comes, a table once it is there.
+class FileLoading {
+ public:
+  /// `size`: bytes of the file, 0 if nobody knows.
+  FileLoading(std::string file_name, std::int64_t size);
+
+  /// False once the file cannot be read; finish() says why.
+  bool feed(std::string_view bytes);
+  /// Call once, when all bytes are fed. `open_document` and errors: as in read_opened_file().
+  [[nodiscard]] Result<BvhClip> finish(const Document* open_document);
+  /// After finish() gave a clip: of each of its diagnostics.
+  [[nodiscard]] std::vector<TextExcerpt> take_excerpts();
+
+  /// The figure and its first frames if they have become so many more that showing them is worth a copy.
+  [[nodiscard]] std::optional<BvhClip> take_news();
+
+  [[nodiscard]] const std::string& file_name() const { return file_name_; }
+  [[nodiscard]] std::int64_t size() const { return size_; }
+  [[nodiscard]] std::int64_t fed_bytes() const { return fed_bytes_; }
+  /// By the clock of Workspace::now_s; set by whoever looks first.
+  std::optional<double> begun_s;
+
+ private:
+  std::string file_name_;
+  std::int64_t size_;
+  std::int64_t fed_bytes_ = 0;
+  int shown_frames_ = 0;
+  std::optional<StreamReader> reader_;  ///< none for a table
+  std::string table_;
+};
+
+}  // namespace marey::app

@@ -1,0 +1,110 @@
+#include "wasm/app/opening.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "core/base/counted.h"
+#include "wasm/app/samples.h"
+#include "wasm/app/widgets.h"
+
+namespace marey::app {
+namespace {
+
+/// A file that takes no longer is shown when it is there.
+constexpr double kPatience_s = 0.3;
+
+Message refusal_message(const std::string& file_name, const Error& error, bool keeps_document) {
+  std::string detail;
+  if (error.place.line > 0) detail = fmt::format("Line {}, column {}: ", error.place.line, error.place.column);
+  detail += error.message;
+  detail += keeps_document ? " The clip that was open stays as it was." : "";
+  return {MessageKind::Error, ui::displayable(file_name) + " could not be opened", std::move(detail), ""};
+}
+
+Message kept_message(const Document& kept) {
+  return {MessageKind::Warning, ui::displayable(kept.file_name()) + " has changes that were not downloaded",
+          "They are kept until the next file is opened.", "file.previous"};
+}
+
+std::string opened_text(const Session& session) {
+  const Document& document = session.document;
+  const Diagnostics& found = document.diagnostics();
+  const int problems = found.count(Severity::Warning) + found.count(Severity::Error);
+  std::string text = fmt::format("Opened {}: {}, {}", ui::displayable(document.file_name()),
+                                 counted(document.skeleton().joint_count(), "joint"),
+                                 counted(document.motion().frame_count(), "frame"));
+  if (problems > 0) text += ", " + counted(problems, "problem");
+  return text + ".";
+}
+
+bool is_sample_file(std::string_view file_name) {
+  for (const Sample& sample : kSamples) {
+    if (file_name == std::string(sample.id) + ".bvh") return true;
+  }
+  return false;
+}
+
+void leave_welcome(Workspace& workspace, std::string_view file_name) {
+  if (is_sample_file(file_name)) return;
+  workspace.overlay = Overlay::None;
+  workspace.preferences.welcome_seen = true;
+}
+
+void refuse(Workspace& workspace, const std::string& file_name, const Error& error) {
+  workspace.cancel_loading();
+  workspace.messages.add(refusal_message(file_name, error, workspace.has_clip()));
+  const Message& message = workspace.messages.list().front();
+  workspace.backend.announce(message.title + ". " + message.detail);
+}
+
+void open_clip(Workspace& workspace, BvhClip clip) {
+  const std::unique_ptr<FileLoading> loading = std::move(workspace.loading);
+  Session opened = Session::open(std::move(clip), loading->file_name());
+  opened.excerpts = loading->take_excerpts();
+  workspace.open(std::move(opened));
+  workspace.messages.clear();
+  if (workspace.previous) workspace.messages.add(kept_message(workspace.previous->document));
+  leave_welcome(workspace, loading->file_name());
+  Session& session = workspace.session;
+  if (!workspace.keeps_view) {
+    // The root is selected, so that the first thing the curve editor shows is curves.
+    session.selection.select_only(0);
+    session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
+  }
+  workspace.notify(opened_text(session));
+}
+
+}  // namespace
+
+void begin_loading(Workspace& workspace, std::string file_name, std::int64_t size) {
+  workspace.cancel_loading();
+  workspace.loading = std::make_unique<FileLoading>(std::move(file_name), size);
+}
+
+bool feed_loading(Workspace& workspace, std::string_view bytes) {
+  if (!workspace.loading) return false;
+  FileLoading& loading = *workspace.loading;
+  if (!loading.begun_s) loading.begun_s = workspace.now_s;
+  if (!loading.feed(bytes)) return false;
+  if (workspace.now_s - *loading.begun_s < kPatience_s) return true;
+  if (std::optional<BvhClip> clip = loading.take_news()) {
+    leave_welcome(workspace, loading.file_name());
+    workspace.show_loaded_part(Session::open(std::move(*clip), loading.file_name()));
+  }
+  return true;
+}
+
+Status finish_loading(Workspace& workspace) {
+  if (!workspace.loading) return Error{DiagnosticCode::Cancelled, {}, "Reading the file was stopped.", "", ""};
+  const Document& whole = workspace.whole_document();
+  Result<BvhClip> clip = workspace.loading->finish(whole.skeleton().joint_count() > 0 ? &whole : nullptr);
+  if (!clip) {
+    refuse(workspace, workspace.loading->file_name(), clip.error());
+    return clip.error();
+  }
+  open_clip(workspace, std::move(clip.value()));
+  return {};
+}
+
+}  // namespace marey::app

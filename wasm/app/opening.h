@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.h"
+#include "wasm/app/workspace.h"
+
+namespace marey::app {
+
+/// Begins to read a file; one that is still being read is given up. `size`: its bytes, 0 if nobody knows.
+void begin_loading(Workspace& workspace, std::string file_name, std::int64_t size);
+
+/// Reads the next bytes, and shows frames that have come. False if no more are wanted: the file cannot be read, or reading
+/// was stopped.
+bool feed_loading(Workspace& workspace, std::string_view bytes);
+
+/// All bytes are fed: opens the clip, and says what was opened. On an error the document that was open before is back and the
+/// message is shown in the page; `Cancelled` if reading was stopped.
+Status finish_loading(Workspace& workspace);
+
+}  // namespace marey::app

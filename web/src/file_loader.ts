@@ -1,0 +1,71 @@
+import { MareyError } from "../module/marey_error";
+import type { FileSource } from "./file_source";
+import type { FrameLoop } from "./frame_loop";
+import type { Program } from "./program";
+
+/** Fed to the program at once: some milliseconds of work. */
+const mostPieceBytes = 512 * 1024;
+
+/** So long the program reads before the browser may answer input and draw. */
+const mostWorkMs = 12;
+
+/** How often progress is drawn. */
+const progressMs = 100;
+
+/** Ends with the browser's next task: what waits (input, frames) comes first. Not slowed down as timers are. */
+function nextTask(): Promise<void> {
+  return new Promise((done) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      done();
+    };
+    port2.postMessage(undefined);
+  });
+}
+
+/** Brings files into the program piece by piece while the page goes on; the last one that is asked for wins. */
+export class FileLoader {
+  private turn = 0;
+
+  constructor(private readonly program: () => Program, private readonly loop: FrameLoop) {}
+
+  /**
+   * Reads a file and opens it. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
+   * end ("not_loaded"); what was open before then stays.
+   */
+  async load(name: string, source: FileSource): Promise<void> {
+    const program = this.program();
+    const turn = ++this.turn;
+    program.beginLoading(name, source.size);
+    try {
+      await this.feedAll(program, source, turn);
+    } catch (error) {
+      if (turn === this.turn) program.cancelLoading();
+      if (error instanceof MareyError || error instanceof WebAssembly.RuntimeError) throw error;
+      throw new MareyError("not_loaded", `${name} could not be read to its end. Check that it still exists and that the browser may read it.`);
+    } finally {
+      this.loop.request();
+    }
+    if (turn !== this.turn) throw new MareyError("cancelled", `${name} gave way to another file.`);
+    program.finishLoading();
+  }
+
+  private async feedAll(program: Program, source: FileSource, turn: number): Promise<void> {
+    let begunMs = performance.now();
+    let drawnMs = begunMs;
+    for await (const bytes of source.pieces()) {
+      for (let at = 0; at < bytes.length; at += mostPieceBytes) {
+        if (turn !== this.turn || !program.feed(bytes.subarray(at, at + mostPieceBytes))) return;
+        const nowMs = performance.now();
+        if (nowMs - drawnMs > progressMs) {
+          this.loop.request();
+          drawnMs = nowMs;
+        }
+        if (nowMs - begunMs < mostWorkMs) continue;
+        await nextTask();
+        begunMs = performance.now();
+      }
+    }
+  }
+}

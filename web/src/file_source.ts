@@ -1,0 +1,54 @@
+import { MareyError } from "../module/marey_error";
+
+/** A file that is to be read piece by piece. */
+export interface FileSource {
+  /** Bytes, 0 if nobody knows. */
+  size: number;
+  pieces(): AsyncIterable<Uint8Array>;
+  /** What was read, for the failure page; undefined if it was not kept. */
+  kept(): Blob | undefined;
+}
+
+/** A file that is kept for the failure page although the browser does not hold it. */
+const mostKeptBytes = 64 * 1024 * 1024;
+
+async function* piecesOf(stream: ReadableStream<Uint8Array>): AsyncGenerator<Uint8Array> {
+  const reader = stream.getReader();
+  try {
+    for (;;) {
+      const { done, value } = await reader.read();
+      if (done) return;
+      yield value;
+    }
+  } finally {
+    // Of a file that is given up the rest is not fetched.
+    void reader.cancel().catch(() => {});
+  }
+}
+
+/** A file on disk, or bytes that a caller handed over. */
+export function sourceOf(data: Blob): FileSource {
+  return { size: data.size, pieces: () => piecesOf(data.stream()), kept: () => data };
+}
+
+/** A file that a server sends. */
+export function sourceOfResponse(response: Response): FileSource {
+  // The length of a compressed answer is not that of the file.
+  const isPlain = !response.headers.get("content-encoding");
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  let bytes = 0;
+  async function* pieces(): AsyncGenerator<Uint8Array> {
+    if (!response.body) throw new MareyError("not_loaded", "The server sent nothing.");
+    for await (const piece of piecesOf(response.body)) {
+      bytes += piece.length;
+      if (bytes <= mostKeptBytes) parts.push(new Uint8Array(piece));
+      else parts.length = 0;
+      yield piece;
+    }
+  }
+  return {
+    size: isPlain ? Number(response.headers.get("content-length") ?? 0) : 0,
+    pieces,
+    kept: () => (bytes <= mostKeptBytes ? new Blob(parts) : undefined),
+  };
+}
