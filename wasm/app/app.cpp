@@ -60,12 +60,7 @@ void App::begin_loading(std::string file_name, std::int64_t size) {
   app::begin_loading(parts_->workspace, std::move(file_name), size);
 }
 
-bool App::feed_loading(std::string_view bytes) {
-  const std::uint64_t shown = parts_->workspace.clip_serial;
-  const bool wants_more = app::feed_loading(parts_->workspace, bytes);
-  if (shown != parts_->workspace.clip_serial) parts_->settling_frames = kFramesToSettle;
-  return wants_more;
-}
+bool App::feed_loading(std::string_view bytes) { return app::feed_loading(parts_->workspace, bytes); }
 
 Status App::finish_loading() {
   parts_->settling_frames = kFramesToSettle;

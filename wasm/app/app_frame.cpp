@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "wasm/app/app_parts.h"
+#include "wasm/app/opening.h"
 #include "wasm/app/shortcut.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/viewport/strobe.h"
@@ -94,6 +95,7 @@ void begin_views(AppParts& parts) {
   parts.hover = parts.next_hover;
   parts.next_hover = {};
   workspace.follow_notice();
+  follow_loading(workspace);
   parts.status = workspace.notice;
 }
 

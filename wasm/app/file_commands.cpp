@@ -23,6 +23,20 @@ Command make_sample_command(const Sample& sample, Workspace& workspace) {
   return command;
 }
 
+Command make_stop_command(Workspace& workspace) {
+  return {.id = "file.cancel_loading",
+          .label = "Stop reading the file",
+          .help = "Gives up the file that is being read. What was open before comes back.",
+          .icon = icons::kX,
+          .run = [&workspace](const json&) -> json {
+            const std::string name = ui::displayable(workspace.loading->file_name());
+            workspace.cancel_loading();
+            workspace.notify("Reading " + name + " was stopped.");
+            return nullptr;
+          },
+          .blocked = [&workspace] { return workspace.loading ? "" : "No file is being read."; }};
+}
+
 }  // namespace
 
 std::string download_name(std::string_view file_name) {
@@ -52,17 +66,7 @@ void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
                   workspace.backend.ask_for_file();
                   return nullptr;
                 }});
-  registry.add({.id = "file.cancel_loading",
-                .label = "Stop reading the file",
-                .help = "Gives up the file that is being read. What was open before comes back.",
-                .icon = icons::kX,
-                .run = [&workspace](const json&) -> json {
-                  const std::string name = ui::displayable(workspace.loading->file_name());
-                  workspace.cancel_loading();
-                  workspace.notify("Reading " + name + " was stopped.");
-                  return nullptr;
-                },
-                .blocked = [&workspace] { return workspace.loading ? "" : "No file is being read."; }});
+  registry.add(make_stop_command(workspace));
   add_save_commands(registry, workspace);
   registry.add({.id = "file.previous",
                 .label = "Go back to the other file",

@@ -34,7 +34,9 @@ class FileLoading {
   [[nodiscard]] const std::string& file_name() const { return file_name_; }
   [[nodiscard]] std::int64_t size() const { return size_; }
   [[nodiscard]] std::int64_t fed_bytes() const { return fed_bytes_; }
-  /// By the clock of Workspace::now_s; set by whoever looks first.
+  /// A file that takes no longer is shown when it is there, without a word before.
+  static constexpr double kPatience_s = 0.3;
+  /// Time of the first frame that was drawn meanwhile, as Workspace::now_s.
   std::optional<double> begun_s;
 
  private:

@@ -11,9 +11,6 @@
 namespace marey::app {
 namespace {
 
-/// A file that takes no longer is shown when it is there.
-constexpr double kPatience_s = 0.3;
-
 Message refusal_message(const std::string& file_name, const Error& error, bool keeps_document) {
   std::string detail;
   if (error.place.line > 0) detail = fmt::format("Line {}, column {}: ", error.place.line, error.place.column);
@@ -82,17 +79,20 @@ void begin_loading(Workspace& workspace, std::string file_name, std::int64_t siz
   workspace.loading = std::make_unique<FileLoading>(std::move(file_name), size);
 }
 
-bool feed_loading(Workspace& workspace, std::string_view bytes) {
-  if (!workspace.loading) return false;
+bool feed_loading(Workspace& workspace, std::string_view bytes) { return workspace.loading && workspace.loading->feed(bytes); }
+
+void follow_loading(Workspace& workspace) {
+  if (!workspace.loading) return;
   FileLoading& loading = *workspace.loading;
-  if (!loading.begun_s) loading.begun_s = workspace.now_s;
-  if (!loading.feed(bytes)) return false;
-  if (workspace.now_s - *loading.begun_s < kPatience_s) return true;
+  if (!loading.begun_s) {
+    loading.begun_s = workspace.now_s;
+    workspace.backend.draw_after(FileLoading::kPatience_s + 0.02);
+  }
+  if (workspace.now_s - *loading.begun_s < FileLoading::kPatience_s) return;
   if (std::optional<BvhClip> clip = loading.take_news()) {
     leave_welcome(workspace, loading.file_name());
     workspace.show_loaded_part(Session::open(std::move(*clip), loading.file_name()));
   }
-  return true;
 }
 
 Status finish_loading(Workspace& workspace) {

@@ -12,9 +12,12 @@ namespace marey::app {
 /// Begins to read a file; one that is still being read is given up. `size`: its bytes, 0 if nobody knows.
 void begin_loading(Workspace& workspace, std::string file_name, std::int64_t size);
 
-/// Reads the next bytes, and shows frames that have come. False if no more are wanted: the file cannot be read, or reading
+/// Reads the next bytes. False if no more are wanted: the file cannot be read, or reading
 /// was stopped.
 bool feed_loading(Workspace& workspace, std::string_view bytes);
+
+/// Shows frames that have come; in every frame.
+void follow_loading(Workspace& workspace);
 
 /// All bytes are fed: opens the clip, and says what was opened. On an error the document that was open before is back and the
 /// message is shown in the page; `Cancelled` if reading was stopped.

@@ -12,7 +12,6 @@
 namespace marey::app {
 namespace {
 
-constexpr double kPatience_s = 0.3;
 constexpr float kPadding = 12.0f;
 constexpr float kVerticalPadding = 8.0f;
 constexpr float kBarHeight = 3.0f;
@@ -45,7 +44,7 @@ std::string progress_text(std::int64_t fed_bytes, std::int64_t size, double elap
 }
 
 float LoadingStrip::height(const ViewContext& context, const FileLoading* loading) const {
-  if (loading == nullptr || elapsed_of(context, *loading) < kPatience_s) return 0.0f;
+  if (loading == nullptr || elapsed_of(context, *loading) < FileLoading::kPatience_s) return 0.0f;
   return ImGui::GetFrameHeight() + 2.0f * kVerticalPadding + kBarHeight;
 }
 

@@ -38,6 +38,7 @@ export class FileLoader {
     const program = this.program();
     const turn = ++this.turn;
     program.beginLoading(name, source.size);
+    this.loop.request();
     try {
       await this.feedAll(program, source, turn);
     } catch (error) {
