@@ -19,6 +19,10 @@ mergeInto(LibraryManager.library, {
     Module["host"].loadSample(mareyText(id, idSize));
   },
 
+  marey_host_stop_loading: function () {
+    Module["host"].stopLoading();
+  },
+
   marey_host_set_clipboard_text__deps: ["$mareyText"],
   marey_host_set_clipboard_text: function (text, textSize) {
     Module["host"].setClipboardText(mareyText(text, textSize));

@@ -67,6 +67,7 @@ TEST(Loading, StoppedBringsBackWhatWasOpen) {
   EXPECT_EQ(stage.state()["file"], "arm.bvh");
   EXPECT_EQ(stage.app().save_text(), edited);
   EXPECT_EQ(stage.state()["undoDepth"], 1);
+  EXPECT_EQ(stage.log().stopped_loadings, 1);
   EXPECT_FALSE(slow.feed(1.0));
   EXPECT_EQ(stage.app().finish_loading().error().code, DiagnosticCode::Cancelled);
   EXPECT_EQ(stage.state()["file"], "arm.bvh");

@@ -57,7 +57,6 @@ test("its first frames can be played while it comes, and stay where they are whe
   await marey.picture("loading");
   await marey.click("play.toggle");
   await marey.expectState(({ playing, frame }) => playing && frame > 0, true);
-  expect(await marey.save()).toBe("");
   server.release();
   await marey.expectState(({ frames: count, loading, playing }) => [count, loading, playing], [frames, null, true]);
   expect(await marey.save()).toBe(text);
@@ -89,6 +88,7 @@ test("another file takes the place of one that is still coming", async ({ marey,
 
 test("one that breaks off leaves what was open, and the page says so", async ({ marey, page, expectedProblems }) => {
   expectedProblems.push(fromItsServer);
+  expectedProblems.push(/ERR_CONTENT_LENGTH_MISMATCH|ERR_INCOMPLETE_CHUNKED/);
   const server = await serveSlowly(armClip(frames));
   await openHalf(marey, server);
   await server.close();

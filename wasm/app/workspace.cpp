@@ -44,6 +44,7 @@ void Workspace::show_loaded_part(Session part) {
 }
 
 void Workspace::cancel_loading() {
+  if (loading) backend.stop_loading();
   loading.reset();
   if (!before_loading) return;
   ++clip_serial;

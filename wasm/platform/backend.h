@@ -23,6 +23,8 @@ class Backend {
   void download(std::string_view file_name, std::string_view bytes);
   /// Opens a bundled sample by its id; it arrives through App::open_file.
   void load_sample(std::string_view sample_id);
+  /// Nothing more of the file that is being read is wanted.
+  void stop_loading();
   void set_clipboard_text(std::string_view text);
   /// Title of the tab and the warning before leaving with unsaved changes.
   void set_document_state(std::string_view file_name, bool dirty);

@@ -47,6 +47,7 @@ export class Application {
       wake: () => this.loop.request(),
       askForFile: () => this.files.ask(),
       loadSample: (id) => void this.loadSample(id),
+      stopLoading: () => this.loader.stop(),
       forgetLetters: () => {
         this.program.forgetLetters();
         this.loop.request();

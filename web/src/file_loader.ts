@@ -26,9 +26,14 @@ function nextTask(): Promise<void> {
 
 /** Brings files into the program piece by piece while the page goes on; the last one that is asked for wins. */
 export class FileLoader {
-  private turn = 0;
+  private running = new AbortController();
 
   constructor(private readonly program: () => Program, private readonly loop: FrameLoop) {}
+
+  /** Gives up the file that is being read; nothing more of it is fetched. */
+  stop(): void {
+    this.running.abort();
+  }
 
   /**
    * Reads a file and opens it. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
@@ -36,28 +41,29 @@ export class FileLoader {
    */
   async load(name: string, source: FileSource): Promise<void> {
     const program = this.program();
-    const turn = ++this.turn;
+    this.stop();
     program.beginLoading(name, source.size);
+    const { signal } = (this.running = new AbortController());
     this.loop.request();
     try {
-      await this.feedAll(program, source, turn);
+      await this.feedAll(program, source, signal);
     } catch (error) {
-      if (turn === this.turn) program.cancelLoading();
+      if (!signal.aborted) program.cancelLoading();
       if (error instanceof MareyError || error instanceof WebAssembly.RuntimeError) throw error;
       throw new MareyError("not_loaded", `${name} could not be read to its end. Check that it still exists and that the browser may read it.`);
     } finally {
       this.loop.request();
     }
-    if (turn !== this.turn) throw new MareyError("cancelled", `${name} gave way to another file.`);
+    if (signal.aborted) throw new MareyError("cancelled", `The reading of ${name} was stopped.`);
     program.finishLoading();
   }
 
-  private async feedAll(program: Program, source: FileSource, turn: number): Promise<void> {
+  private async feedAll(program: Program, source: FileSource, stopped: AbortSignal): Promise<void> {
     let begunMs = performance.now();
     let drawnMs = begunMs;
-    for await (const bytes of source.pieces()) {
+    for await (const bytes of source.pieces(stopped)) {
       for (let at = 0; at < bytes.length; at += mostPieceBytes) {
-        if (turn !== this.turn || !program.feed(bytes.subarray(at, at + mostPieceBytes))) return;
+        if (stopped.aborted || !program.feed(bytes.subarray(at, at + mostPieceBytes))) return;
         const nowMs = performance.now();
         if (nowMs - drawnMs > progressMs) {
           this.loop.request();

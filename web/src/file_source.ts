@@ -4,7 +4,8 @@ import { MareyError } from "../module/marey_error";
 export interface FileSource {
   /** Bytes, 0 if nobody knows. */
   size: number;
-  pieces(): AsyncIterable<Uint8Array>;
+  /** Ends early when `stopped` says so. */
+  pieces(stopped: AbortSignal): AsyncIterable<Uint8Array>;
   /** What was read, for the failure page; undefined if it was not kept. */
   kept(): Blob | undefined;
 }
@@ -12,8 +13,10 @@ export interface FileSource {
 /** A file that is kept for the failure page although the browser does not hold it. */
 const mostKeptBytes = 64 * 1024 * 1024;
 
-async function* piecesOf(stream: ReadableStream<Uint8Array>): AsyncGenerator<Uint8Array> {
+async function* piecesOf(stream: ReadableStream<Uint8Array>, stopped: AbortSignal): AsyncGenerator<Uint8Array> {
   const reader = stream.getReader();
+  const stop = (): void => void reader.cancel().catch(() => {});
+  stopped.addEventListener("abort", stop);
   try {
     for (;;) {
       const { done, value } = await reader.read();
@@ -21,14 +24,14 @@ async function* piecesOf(stream: ReadableStream<Uint8Array>): AsyncGenerator<Uin
       yield value;
     }
   } finally {
-    // Of a file that is given up the rest is not fetched.
-    void reader.cancel().catch(() => {});
+    stopped.removeEventListener("abort", stop);
+    stop();
   }
 }
 
 /** A file on disk, or bytes that a caller handed over. */
 export function sourceOf(data: Blob): FileSource {
-  return { size: data.size, pieces: () => piecesOf(data.stream()), kept: () => data };
+  return { size: data.size, pieces: (stopped) => piecesOf(data.stream(), stopped), kept: () => data };
 }
 
 /** A file that a server sends. */
@@ -37,9 +40,9 @@ export function sourceOfResponse(response: Response): FileSource {
   const isPlain = !response.headers.get("content-encoding");
   const parts: Uint8Array<ArrayBuffer>[] = [];
   let bytes = 0;
-  async function* pieces(): AsyncGenerator<Uint8Array> {
+  async function* pieces(stopped: AbortSignal): AsyncGenerator<Uint8Array> {
     if (!response.body) throw new MareyError("not_loaded", "The server sent nothing.");
-    for await (const piece of piecesOf(response.body)) {
+    for await (const piece of piecesOf(response.body, stopped)) {
       bytes += piece.length;
       if (bytes <= mostKeptBytes) parts.push(new Uint8Array(piece));
       else parts.length = 0;

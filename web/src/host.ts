@@ -3,6 +3,8 @@ export interface Host {
   askForFile(): void;
   download(name: string, bytes: Uint8Array): void;
   loadSample(id: string): void;
+  /** Nothing more of the file that is being read is wanted. */
+  stopLoading(): void;
   setClipboardText(text: string): void;
   setDocumentState(name: string, dirty: boolean): void;
   announce(text: string): void;

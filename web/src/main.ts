@@ -23,7 +23,7 @@ function kindOfFailure(error: unknown): FailureKind {
   return error instanceof WebAssembly.CompileError ? "no-wasm" : "stopped";
 }
 
-async function startPage(application: Application): Promise<void> {
+async function startPage(application: Application, started: () => void): Promise<void> {
   const request = readAddress(location.search, document.baseURI);
   lockConnections(request);
   const missing = findMissingPart();
@@ -34,6 +34,7 @@ async function startPage(application: Application): Promise<void> {
   }
   try {
     await application.start(await loadProgramFiles());
+    started();
     const opened = application.openRequested(request);
     // A file that takes longer shows its progress in the page.
     await Promise.race([opened, new Promise((done) => setTimeout(done, patienceMs))]);
@@ -49,6 +50,9 @@ async function startPage(application: Application): Promise<void> {
 
 applyTheme(loadPreferences());
 const application = new Application();
-const ready = startPage(application);
+let tellStarted = (): void => {};
+const started = new Promise<void>((done) => (tellStarted = done));
+const ready = startPage(application, tellStarted);
 ready.catch(() => {});
-window.marey = makePageApi(application, ready);
+// What is called before the start waits for it, or for the news that there will be none.
+window.marey = makePageApi(application, ready, Promise.race([started, ready]));

@@ -3,11 +3,11 @@ import { sourceOf } from "./file_source";
 import type { CommandInfo, Item, PageApi } from "./page_api";
 
 /** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */
-export function makePageApi(application: Application, ready: Promise<void>): PageApi {
+export function makePageApi(application: Application, ready: Promise<void>, started: Promise<void>): PageApi {
   return {
     ready,
     async open(name, data) {
-      await ready;
+      await started;
       await application.open(name, sourceOf(new Blob([data as BlobPart])));
       application.loop.drawNow();
       return application.state();
@@ -16,7 +16,7 @@ export function makePageApi(application: Application, ready: Promise<void>): Pag
     state: () => application.state(),
     commands: () => application.program.commands() as CommandInfo[],
     async command(id, args) {
-      await ready;
+      await started;
       const answer = application.program.runCommand(id, args);
       application.loop.drawNow();
       application.loop.request();

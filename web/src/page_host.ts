@@ -11,6 +11,7 @@ export interface PageParts {
   wake(): void;
   askForFile(): void;
   loadSample(id: string): void;
+  stopLoading(): void;
   /** A font has come that letters were waiting for. */
   forgetLetters(): void;
   placeTextInput(wanted: boolean, x: number, y: number, height: number): void;
@@ -49,6 +50,10 @@ export class PageHost implements Host {
 
   loadSample(id: string): void {
     this.parts.loadSample(id);
+  }
+
+  stopLoading(): void {
+    this.parts.stopLoading();
   }
 
   setClipboardText(text: string): void {

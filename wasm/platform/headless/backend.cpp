@@ -17,6 +17,8 @@ void Backend::download(std::string_view file_name, std::string_view bytes) {
 
 void Backend::load_sample(std::string_view sample_id) { headless_log().samples.emplace_back(sample_id); }
 
+void Backend::stop_loading() { ++headless_log().stopped_loadings; }
+
 void Backend::set_clipboard_text(std::string_view text) { headless_log().clipboard = text; }
 
 void Backend::set_document_state(std::string_view file_name, bool dirty) {

@@ -11,6 +11,7 @@ namespace marey::app {
 /// program; tests clear it before they start.
 struct HeadlessLog {
   int file_requests = 0;
+  int stopped_loadings = 0;
   std::vector<std::pair<std::string, std::string>> downloads;  ///< name, bytes
   std::vector<std::string> samples;
   std::vector<std::string> announcements;

@@ -12,6 +12,8 @@ void Backend::download(std::string_view file_name, std::string_view bytes) {
 
 void Backend::load_sample(std::string_view sample_id) { marey_host_load_sample(sample_id.data(), sample_id.size()); }
 
+void Backend::stop_loading() { marey_host_stop_loading(); }
+
 void Backend::set_clipboard_text(std::string_view text) { marey_host_set_clipboard_text(text.data(), text.size()); }
 
 void Backend::set_document_state(std::string_view file_name, bool dirty) {

@@ -8,6 +8,7 @@ extern "C" {
 void marey_host_ask_for_file();
 void marey_host_download(const char* name, size_t name_size, const char* bytes, size_t byte_count);
 void marey_host_load_sample(const char* id, size_t id_size);
+void marey_host_stop_loading();
 void marey_host_set_clipboard_text(const char* text, size_t text_size);
 void marey_host_set_document_state(const char* name, size_t name_size, int dirty);
 void marey_host_announce(const char* text, size_t text_size);
