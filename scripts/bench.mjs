@@ -2,9 +2,11 @@
 // native benchmarks, whose own table follows.
 import { cpus } from "node:os";
 import { benchClip } from "./bench/clip.mjs";
+import { measureFirstLoad } from "./bench/first_load.mjs";
 import { compareInChromium } from "./bench/in_chromium.mjs";
+import { measurePage } from "./bench/in_page.mjs";
 import { measureNatively } from "./bench/native.mjs";
-import { goalRows, printTable } from "./bench/table.mjs";
+import { goalRows, pageRows, printTable } from "./bench/table.mjs";
 import { buildPreset, configurePreset } from "./build/cmake.mjs";
 import { buildSite } from "./build/site.mjs";
 import { Failure, capture, inRoot, main, say } from "./lib/shell.mjs";
@@ -29,6 +31,9 @@ await main(async () => {
   const { frames, joints, bytes } = node.facts;
   say(`the clip: ${joints} joints, ${frames} frames, ${(bytes / 1e6).toFixed(1)} MB; Chromium ${chromium.version}, Node ${process.version}`);
   printTable(["what", "Marey", "peer", "times as fast", "goal"], goalRows({ native, node, chromium }));
+  const page = { load: await measureFirstLoad(), frames: await measurePage() };
+  say("the page in Chromium, processor time of a frame");
+  printTable(["what", "median", "goal"], pageRows(page));
   say("the native benchmarks");
   printTable(["benchmark", "median", "items", "bytes"], native.rows);
 });

@@ -120,6 +120,7 @@ std::string Document::save_text(const SaveOptions& options) const {
 
 void Document::mark_saved() {
   history_.mark_saved();
+  ++save_count_;
   saved_samples_.clear();
   saved_file_frames_.reset();
   saved_offsets_.clear();

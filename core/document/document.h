@@ -53,6 +53,8 @@ class Document {
   [[nodiscard]] std::string save_text(const SaveOptions& options) const;
   /// Call when the text has reached the user. The ghosts are forgotten.
   void mark_saved();
+  /// How often mark_saved() was called; for caches of what is derived from the ghosts.
+  [[nodiscard]] std::uint64_t save_count() const { return save_count_; }
 
   /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched, and
   /// while frames are missing that were there.
@@ -76,6 +78,7 @@ class Document {
   std::string file_name_;
   int declared_frames_ = 0;
   History history_;
+  std::uint64_t save_count_ = 0;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
   std::optional<std::vector<FrameIndex>> saved_file_frames_;  // as Clip::file_frames; nothing while all are there
   std::map<NodeIndex, glm::dvec3> saved_offsets_;

@@ -81,7 +81,14 @@ bool Selection::is_shown(ChannelIndex channel) const {
          contains(channel_joints_[idx(channel)]);
 }
 
+SampleSelection& Selection::change_samples() {
+  ++sample_serial_;
+  return samples_;
+}
+
 void Selection::drop_hidden_samples() {
+  if (samples_.empty()) return;
+  ++sample_serial_;
   SampleSelection kept;
   for (const SampleRun& run : samples_.runs()) {
     if (is_shown(run.channel)) kept.add(run.channel, run.frames);

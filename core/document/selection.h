@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -41,7 +42,10 @@ class Selection {
   [[nodiscard]] std::vector<ChannelIndex> shown_channels(const Skeleton& skeleton) const;
 
   [[nodiscard]] const SampleSelection& samples() const { return samples_; }
-  [[nodiscard]] SampleSelection& samples() { return samples_; }
+  /// To change them.
+  [[nodiscard]] SampleSelection& change_samples();
+  /// Grows whenever the selected samples may have changed; for caches.
+  [[nodiscard]] std::uint64_t sample_serial() const { return sample_serial_; }
 
  private:
   [[nodiscard]] bool exists(JointIndex joint) const { return joint >= 0 && joint < joint_count_; }
@@ -55,6 +59,7 @@ class Selection {
   JointIndex anchor_joint_ = kNoParent;  // where select_through() starts
   std::vector<bool> channel_visible_;
   SampleSelection samples_;
+  std::uint64_t sample_serial_ = 0;
 };
 
 }  // namespace marey

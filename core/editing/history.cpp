@@ -1,5 +1,6 @@
 #include "core/editing/history.h"
 
+#include <limits>
 #include <utility>
 
 namespace marey {
@@ -27,7 +28,7 @@ Status History::apply_gesture(Clip& clip, GestureId gesture, const MakeEdit& mak
   if (continues) drop_newest();
   if (!edit.empty()) {
     push(clip, std::move(edit), gesture);
-    last_changed_frames_ = hull(former_frames, last_changed_frames_);
+    changed_frames_[idx(last_change())] = hull(former_frames, last_changed_frames());
   } else if (continues) {
     note_change(former_frames);
   }
@@ -62,6 +63,15 @@ bool History::redo(Clip& clip) {
   note_change(edited_frames(clip, step.edit));
   done_.push_back(std::move(step));
   return true;
+}
+
+FrameRange History::changed_frames_since(std::uint64_t revision) const {
+  if (revision > revision_ || revision_ - revision > kChangesKept) return {0, std::numeric_limits<int>::max()};
+  FrameRange frames;
+  for (std::uint64_t later = revision + 1; later <= revision_; ++later) {
+    frames = hull(frames, changed_frames_[later % kChangesKept]);
+  }
+  return frames;
 }
 
 std::string History::undo_name() const { return done_.empty() ? std::string() : done_.back().edit.name; }
@@ -111,7 +121,7 @@ void History::trim() {
 
 void History::note_change(FrameRange frames) {
   ++revision_;
-  last_changed_frames_ = frames;
+  changed_frames_[idx(last_change())] = frames;
 }
 
 }  // namespace marey

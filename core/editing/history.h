@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -56,7 +57,9 @@ class History {
   /// Grows by one with every change of the clip, undo and redo included; never repeats. For caches.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   /// The frames that the change to the present revision touched; a cache of the revision before needs only these.
-  [[nodiscard]] FrameRange last_changed_frames() const { return last_changed_frames_; }
+  [[nodiscard]] FrameRange last_changed_frames() const { return changed_frames_[idx(last_change())]; }
+  /// The same for a cache of an earlier revision; all frames that a clip can have if that was too long ago.
+  [[nodiscard]] FrameRange changed_frames_since(std::uint64_t revision) const;
 
   /// Bytes kept for undo and redo. Beyond the bound the oldest steps are dropped; at least the newest stays.
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
@@ -74,6 +77,9 @@ class History {
   void forget(std::vector<Step>& steps);
   void trim();
   void note_change(FrameRange frames);
+  [[nodiscard]] int last_change() const { return static_cast<int>(revision_ % kChangesKept); }
+
+  static constexpr std::uint64_t kChangesKept = 16;
 
   std::deque<Step> done_;
   std::vector<Step> undone_;
@@ -84,7 +90,7 @@ class History {
   std::uint64_t next_state_ = 1;
   std::uint64_t base_state_ = 0;
   std::uint64_t saved_state_ = 0;
-  FrameRange last_changed_frames_;
+  std::array<FrameRange, kChangesKept> changed_frames_;  // of a revision at its remainder
 };
 
 }  // namespace marey

@@ -48,6 +48,12 @@ bool SampleSelection::contains(ChannelIndex channel, FrameIndex frame) const {
   return run != runs_.end() && run->channel == channel && run->frames.contains(frame);
 }
 
+std::span<const SampleRun> SampleSelection::runs_of(ChannelIndex channel) const {
+  const auto first = std::partition_point(runs_.begin(), runs_.end(), [&](const SampleRun& r) { return r.channel < channel; });
+  const auto end = std::partition_point(first, runs_.end(), [&](const SampleRun& r) { return r.channel <= channel; });
+  return std::span(runs_).subspan(static_cast<std::size_t>(first - runs_.begin()), static_cast<std::size_t>(end - first));
+}
+
 std::int64_t SampleSelection::count() const {
   std::int64_t count = 0;
   for (const SampleRun& run : runs_) count += run.frames.count;

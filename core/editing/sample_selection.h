@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/base/index.h"
@@ -24,6 +25,7 @@ class SampleSelection {
 
   [[nodiscard]] bool contains(ChannelIndex channel, FrameIndex frame) const;
   [[nodiscard]] const std::vector<SampleRun>& runs() const { return runs_; }
+  [[nodiscard]] std::span<const SampleRun> runs_of(ChannelIndex channel) const;
   [[nodiscard]] bool empty() const { return runs_.empty(); }
   /// Number of selected samples.
   [[nodiscard]] std::int64_t count() const;

@@ -1,11 +1,7 @@
 // Marey's JavaScript module beside three.js, in Node and in a page: the same code for both.
 import { AnimationMixer } from "three";
 import { BVHLoader } from "three/addons/loaders/BVHLoader.js";
-
-function median(values) {
-  const sorted = [...values].sort((a, b) => a - b);
-  return sorted[Math.floor(sorted.length / 2)];
-}
+import { median } from "./median.mjs";
 
 /** Runs the contenders in turns, once unmeasured; median milliseconds by name. */
 function measure(contenders, rounds) {

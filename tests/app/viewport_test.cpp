@@ -185,7 +185,7 @@ TEST_F(Viewport, TrailsGoThroughTheShownPose) {
 TEST_F(Viewport, TheBodyFollowsAnEdit) {
   const glm::vec3 before = scene().bones.back().to;
   Session& session = stage_.app().session();
-  session.selection.samples().add(3, {0, 5});
+  session.selection.change_samples().add(3, {0, 5});
   const json result = stage_.app().run_command("curve.move", {{"delta", 40.0}});
   ASSERT_FALSE(result.contains("error")) << result;
   stage_.settle();

@@ -9,6 +9,7 @@
 #include "core/base/result.h"
 #include "core/document/session.h"
 #include "wasm/app/fonts.h"
+#include "wasm/app/performance.h"
 #include "wasm/app/ui_items.h"
 #include "wasm/app/view_options.h"
 #include "wasm/platform/backend.h"
@@ -45,6 +46,9 @@ class App {
   /// Runs one frame between ImGui::NewFrame and ImGui::Render, both of which it calls. Returns true when a further
   /// frame is wanted without input (playing, animating, settling).
   bool frame(const WindowSize& window, double now_s);
+
+  /// What the last frame took, drawing included; for the performance card.
+  void note_cost(const FrameCost& cost);
 
   [[nodiscard]] const Scene& scene() const;
   [[nodiscard]] const UiItems& items() const;

@@ -77,7 +77,7 @@ void follow_escape(AppParts& parts) {
   } else if (!workspace.messages.list().empty()) {
     workspace.messages.close(0);
   } else if (!selection.samples().empty()) {
-    selection.samples().clear();
+    selection.change_samples().clear();
   } else {
     selection.clear_joints();
   }
@@ -189,6 +189,17 @@ ViewContext AppParts::make_context() {
           .redraw = redraw,
           .widgets = widgets,
           .system = workspace.system};
+}
+
+void App::note_cost(const FrameCost& cost) {
+  constexpr double kMemoryMeasuredEvery_s = 0.5;
+  Workspace& workspace = parts_->workspace;
+  Performance& performance = workspace.performance;
+  performance.add_frame(cost, workspace.now_s, workspace.session.playback.is_playing());
+  if (!workspace.preferences.options.show_performance) return;
+  if (workspace.now_s - performance.memory_measured_s < kMemoryMeasuredEvery_s) return;
+  performance.memory_measured_s = workspace.now_s;
+  performance.memory = workspace.backend.memory();
 }
 
 bool App::frame(const WindowSize& window, double now_s) {

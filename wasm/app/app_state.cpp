@@ -101,6 +101,19 @@ void add_playback(json& state, const Playback& playback) {
 constexpr const char* kOverlayNames[] = {"none", "palette", "shortcuts", "about", "welcome", "save_as"};
 constexpr const char* kSheetNames[] = {"none", "curves", "joints", "inspector"};
 
+json performance_state(const Workspace& workspace) {
+  const Performance& performance = workspace.performance;
+  if (!workspace.preferences.options.show_performance) return nullptr;
+  return {{"frameMs", performance.median_ms()},
+          {"worstMs", performance.worst_ms()},
+          {"drawCalls", performance.last().draw_calls},
+          {"vertices", performance.last().vertices},
+          {"framesPerSecond", performance.frames_per_second()},
+          {"memoryUsed", performance.memory.used},
+          {"memoryTotal", performance.memory.total},
+          {"sampleBytes", workspace.session.document.motion().samples().size() * sizeof(double)}};
+}
+
 void add_interface(json& state, const AppParts& parts) {
   const Workspace& workspace = parts.workspace;
   state["theme"] = parts.theme.kind == ThemeKind::Dark ? "dark" : "light";
@@ -117,6 +130,7 @@ void add_interface(json& state, const AppParts& parts) {
   } else {
     state["loading"] = {{"file", ui::displayable(loading->file_name())}, {"bytes", loading->fed_bytes()}, {"size", loading->size()}};
   }
+  state["performance"] = performance_state(workspace);
 }
 
 }  // namespace

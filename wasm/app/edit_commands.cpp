@@ -1,4 +1,6 @@
 #include <cctype>
+#include <numeric>
+#include <vector>
 
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
@@ -103,6 +105,19 @@ void add_walk_commands(CommandRegistry& registry, Workspace& workspace) {
 void add_edit_commands(CommandRegistry& registry, Workspace& workspace) {
   add_history_commands(registry, workspace);
   add_walk_commands(registry, workspace);
+  registry.add({.id = "select.all",
+                .label = "Select all joints",
+                .help = "Selects every joint, so that the curve editor shows all curves.",
+                .shortcut = "Alt+Shift+A",
+                .icon = icons::kListTree,
+                .run = [&workspace](const json&) -> json {
+                  Session& session = workspace.session;
+                  std::vector<JointIndex> joints(idx(session.document.skeleton().joint_count()));
+                  std::iota(joints.begin(), joints.end(), 0);
+                  session.selection.select_joints(joints);
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return needs_clip(workspace); }});
   registry.add({.id = "select.none",
                 .label = "Deselect joints",
                 .help = "Selects no joint.",

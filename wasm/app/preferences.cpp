@@ -25,6 +25,7 @@ void visit_values(Preferences& preferences, const Visit& visit) {
   visit("showStrobe", options.show_strobe);
   visit("showTrails", options.show_trails);
   visit("followRoot", options.follow_root);
+  visit("showPerformance", options.show_performance);
   visit("orthographic", options.orthographic);
   visit("projector", options.projector);
   visit("welcomeSeen", preferences.welcome_seen);

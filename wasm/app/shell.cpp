@@ -4,6 +4,7 @@
 
 #include "wasm/app/widgets.h"
 #include "wasm/views/sheet_tabs.h"
+#include "wasm/views/viewport/performance_card.h"
 
 namespace marey::app {
 namespace {
@@ -176,7 +177,11 @@ void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
   draw_side_panels(context, layout);
   draw_time_panels(context, layout);
   draw_region(context, {"sheets", layout.sheet_header, panel, kTop}, [&] { draw_sheet_tabs(context); });
-  draw_region(context, {"viewport", layout.viewport, 0, kTop}, [&] { viewport_.draw(context, scene); });
+  draw_region(context, {"viewport", layout.viewport, 0, kTop}, [&] {
+    viewport_.draw(context, scene);
+    if (!preferences.options.show_performance) return;
+    draw_performance_card(context, workspace.performance, layout.viewport.min, {layout.viewport.width(), layout.viewport.height()});
+  });
   draw_splitters(context, layout, preferences.sizes);
 }
 

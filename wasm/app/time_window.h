@@ -10,6 +10,8 @@ struct TimeWindow {
   float left = 0.0f;   ///< screen x of the edges in ImGui units, set by whoever draws first in a frame
   float right = 1.0f;
 
+  bool operator==(const TimeWindow&) const = default;
+
   [[nodiscard]] double frames_per_unit() const { return (last - first) / static_cast<double>(right - left); }
   [[nodiscard]] float x_of(double frame) const;
   [[nodiscard]] double frame_at(float x) const;

@@ -40,6 +40,9 @@ void add_scene_switches(CommandRegistry& registry, ViewOptions& options) {
                         .shortcut = "T", .icon = icons::kRoute}, options.show_trails);
   add_switch(registry, {.id = "view.follow_root", .label = "Follow the root", .help = "Keeps the figure in the middle.",
                         .icon = icons::kVideo}, options.follow_root);
+  add_switch(registry, {.id = "view.performance", .label = "Performance",
+                        .help = "Shows what drawing takes: time, draw calls, memory.", .shortcut = "Shift+T",
+                        .icon = icons::kGauge}, options.show_performance);
   add_switch(registry, {.id = "view.orthographic", .label = "Orthographic", .help = "Draws without perspective.",
                         .shortcut = "5", .icon = icons::kBox}, options.orthographic);
 }

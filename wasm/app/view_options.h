@@ -19,6 +19,7 @@ struct ViewOptions {
   int strobe_every_frames = 4;  ///< >= 1; set anew for each clip
   bool show_trails = false;     ///< of the selected joints; of the end sites when none is selected
   bool follow_root = false;
+  bool show_performance = false;  ///< the card of what drawing takes
   bool orthographic = false;
   float falloff_radius_frames = 8.0f;  ///< of a drag in the curve editor
   float smooth_sigma_frames = 2.0f;

@@ -8,6 +8,7 @@
 #include "core/document/session.h"
 #include "wasm/app/file_loading.h"
 #include "wasm/app/messages.h"
+#include "wasm/app/performance.h"
 #include "wasm/app/preferences.h"
 #include "wasm/platform/backend.h"
 
@@ -27,6 +28,7 @@ struct Workspace {
   std::uint64_t clip_serial = 0;  ///< grows with each change of what is open
   Preferences preferences;
   Messages messages;
+  Performance performance;
   Overlay overlay = Overlay::None;
   bool problems_wanted = false;  ///< the inspector is to turn to the problems in the next frame
   SystemPreferences system;

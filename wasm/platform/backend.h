@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,15 @@ class Backend {
   [[nodiscard]] std::string load_preferences();
   /// As they are now; asked for in every frame.
   [[nodiscard]] SystemPreferences system_preferences();
+
+  /// Time since some moment, for measuring.
+  [[nodiscard]] double now_ms();
+  /// Memory of the program in bytes: what lives in it, and what the machine has given. Walks the heap.
+  struct Memory {
+    std::size_t used = 0;
+    std::size_t total = 0;
+  };
+  [[nodiscard]] Memory memory();
   /// CSS name of a mouse cursor: "default", "grab", "ew-resize" ...
   void set_mouse_cursor(std::string_view css_cursor);
   /// Opens an address of the page's own documentation or licence in a new tab.

@@ -24,6 +24,13 @@ class SceneRenderer {
   /// scissor, depth or cull test. Does nothing but clear before start().
   void draw(const Scene& scene, int framebuffer_width, int framebuffer_height, float pixels_per_unit);
 
+  /// Draw calls and vertices since it was last asked.
+  struct Count {
+    int calls = 0;
+    int vertices = 0;
+  };
+  [[nodiscard]] Count take_count();
+
   /// Gives everything back to the context. Does nothing when not started.
   void release();
 

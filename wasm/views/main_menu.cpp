@@ -9,7 +9,7 @@ constexpr std::string_view kFile[] = {
 
 constexpr std::string_view kEdit[] = {
     "edit.undo", "edit.redo", "", "#Samples", "curve.select_all", "curve.select_none", "curve.smooth",
-    "", "#Joints", "select.parent", "select.child", "select.none"};
+    "", "#Joints", "select.parent", "select.child", "select.all", "select.none"};
 
 constexpr std::string_view kClip[] = {
     "play.toggle", "play.loop", "play.first", "play.last", "play.previous", "play.next", "", "#Speed", "play.slower",
@@ -23,14 +23,14 @@ constexpr std::string_view kView[] = {
     "view.frame_selection", "view.front", "view.side", "view.top", "view.orthographic", "view.follow_root", "#Figure",
     "view.grid", "view.shadow", "view.names", "view.strobe", "view.trails", "#Interface", "view.theme.system",
     "view.theme.light", "view.theme.dark", "view.scale.larger", "view.scale.smaller", "view.scale.reset",
-    "view.projector"};
+    "view.projector", "view.performance"};
 
 constexpr std::string_view kHelp[] = {"help.shortcuts", "help.commands", "help.about"};
 
 constexpr std::string_view kCompact[] = {
     "file.open", "file.save_as", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
     "view.trails", "view.names", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
-    "help.about"};
+    "view.performance", "help.about"};
 
 constexpr MainMenu kMenus[] = {MainMenu{"File", kFile}, MainMenu{"Edit", kEdit}, MainMenu{"Clip", kClip},
                                             MainMenu{"View", kView}, MainMenu{"Help", kHelp}};

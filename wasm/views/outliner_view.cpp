@@ -43,6 +43,7 @@ void set_curves_shown(Selection& selection, const Skeleton& skeleton, JointIndex
 void OutlinerView::document_opened() {
   search_.clear();
   folded_.clear();
+  rows_stale_ = true;
   shown_active_ = kNoParent;
 }
 
@@ -62,12 +63,27 @@ void OutlinerView::collect_rows(const Skeleton& skeleton) {
   for (JointIndex joint = 0; joint < skeleton.joint_count();) {
     const bool has_children = skeleton.subtree_end(joint) > joint + 1;
     if (kept_[idx(joint)]) {
-      rows_.push_back({joint, has_children, contains_ignoring_case(skeleton.name(joint), search_)});
+      rows_.push_back({joint, has_children, search_.empty() || contains_ignoring_case(skeleton.name(joint), search_)});
     }
     // A search looks into folded branches.
     const bool skip = search_.empty() && folded_[idx(joint)];
     joint = skip ? skeleton.subtree_end(joint) : joint + 1;
   }
+}
+
+// Rows are collected anew when what they depend on has changed, not in each frame.
+void OutlinerView::follow_clip(const ViewContext& context) {
+  const Document& document = context.session.document;
+  const CharacterSet names_in = document.settings().names_in;
+  const int joints = document.skeleton().joint_count();
+  const bool same_clip = rows_of_clip_ == context.clip_serial && rows_of_joints_ == joints && rows_names_in_ == names_in;
+  if (!rows_stale_ && same_clip && rows_search_ == search_) return;
+  rows_stale_ = false;
+  rows_of_joints_ = joints;
+  rows_of_clip_ = context.clip_serial;
+  rows_names_in_ = names_in;
+  rows_search_ = search_;
+  collect_rows(document.skeleton());
 }
 
 void OutlinerView::click(ViewContext& context, JointIndex joint) {
@@ -82,13 +98,18 @@ void OutlinerView::click(ViewContext& context, JointIndex joint) {
   shown_active_ = selection.active_joint();
 }
 
+void OutlinerView::fold(JointIndex joint, bool folded) {
+  folded_[idx(joint)] = folded;
+  rows_stale_ = true;
+}
+
 void OutlinerView::draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height) {
   if (!row.has_children || !search_.empty()) return;
   ImGui::SetCursorScreenPos(min);
   const std::string id = fmt::format("outliner.fold.{}", row.joint);
   const bool pressed = ImGui::InvisibleButton(id.c_str(), {kFoldWidth, height});
   context.items.add_last(id, "Fold");
-  if (pressed) folded_[idx(row.joint)] = !folded_[idx(row.joint)];
+  if (pressed) fold(row.joint, !folded_[idx(row.joint)]);
   const char* icon = folded_[idx(row.joint)] ? icons::kChevronRight : icons::kChevronDown;
   const ImU32 color = ImGui::IsItemHovered() ? context.theme.text : context.theme.dim_text;
   ImGui::GetWindowDrawList()->AddText({min.x + 2.0f, min.y + 0.5f * (height - ImGui::GetFontSize())}, color, icon);
@@ -161,8 +182,8 @@ void OutlinerView::handle_keys(ViewContext& context) {
     selection.select_only(first ? rows_.front().joint : std::prev(active)->joint);
   }
   if (active == rows_.end()) return;
-  if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow) && active->has_children) folded_[idx(active->joint)] = true;
-  if (ImGui::IsKeyPressed(ImGuiKey_RightArrow) && active->has_children) folded_[idx(active->joint)] = false;
+  if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow) && active->has_children) fold(active->joint, true);
+  if (ImGui::IsKeyPressed(ImGuiKey_RightArrow) && active->has_children) fold(active->joint, false);
 }
 
 void OutlinerView::scroll_to_active(ViewContext& context, float height) {
@@ -200,7 +221,7 @@ void OutlinerView::draw(ViewContext& context) {
   ui::search_field(context, "outliner.search", "Find a joint", search_);
   ImGui::PopItemWidth();
   const Skeleton& skeleton = context.session.document.skeleton();
-  collect_rows(skeleton);
+  follow_clip(context);
   ImGui::Dummy({0.0f, 2.0f});
   ImGui::BeginChild("outliner.rows");
   if (rows_.empty() && skeleton.joint_count() > 0) {

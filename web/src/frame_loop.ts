@@ -4,7 +4,7 @@ const mostFramesAtOnce = 8;
 /** Frames drawn after the last input: ImGui shows the answer to an input in the frame after the one that takes it. */
 const framesAfterInput = 3;
 
-/** Draws frames while they are wanted and none otherwise. */
+/** Draws frames while they are wanted and none otherwise, and none while the page is hidden: wake it when it is seen. */
 export class FrameLoop {
   private scheduled = 0;
   private framesLeft = 0;
@@ -49,7 +49,7 @@ export class FrameLoop {
   }
 
   private schedule(): void {
-    if (this.paused || this.scheduled !== 0) return;
+    if (this.paused || this.scheduled !== 0 || document.hidden) return;
     this.scheduled = requestAnimationFrame((nowMs) => {
       this.scheduled = 0;
       this.run(nowMs);

@@ -65,6 +65,20 @@ export interface State {
   status: string;
   /** The file that is being read; `size` is 0 if nobody knows it. Frames that have come are shown and cannot be edited yet. */
   loading: { file: string; bytes: number; size: number } | null;
+  /** What drawing takes, while the page shows it (view.performance). */
+  performance: {
+    /** Of the processor for a frame: median and worst of the last 120. */
+    frameMs: number;
+    worstMs: number;
+    drawCalls: number;
+    vertices: number;
+    /** While the clip plays or last played; 0 before. */
+    framesPerSecond: number;
+    /** Bytes. */
+    memoryUsed: number;
+    memoryTotal: number;
+    sampleBytes: number;
+  } | null;
 }
 
 export interface CommandInfo {

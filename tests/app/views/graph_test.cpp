@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "wasm/app/time_window.h"
+#include "wasm/views/graph/curve_band.h"
 #include "wasm/views/graph/curve_shape.h"
 #include "wasm/views/graph/ticks.h"
 #include "wasm/views/graph/value_axis.h"
@@ -28,6 +31,28 @@ ValueAxis axis_over(double low, double high) {
   axis.top = 0.0f;
   axis.bottom = 200.0f;
   return axis;
+}
+
+CurveBand band_of(const std::vector<double>& samples, const TimeWindow& time, const ValueAxis& axis) {
+  CurvePyramid pyramid;
+  pyramid.update(samples, {});
+  const CurveColumns columns = visible_columns(time, size_of(samples));
+  std::vector<ValueExtent> extents(idx(columns.count));
+  compute_column_extents(pyramid, samples, columns, extents);
+  CurveBand band;
+  band.build(extents, columns, time, axis);
+  return band;
+}
+
+/// The strip's stretch of y at an x between its ends, as drawn.
+std::pair<float, float> cut(const CurveBand& band, int strip, float x) {
+  const auto columns = band.columns(band.strips()[idx(strip)]);
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    if (columns[i].x < x) continue;
+    const float share = (x - columns[i - 1].x) / (columns[i].x - columns[i - 1].x);
+    return {std::lerp(columns[i - 1].top, columns[i].top, share), std::lerp(columns[i - 1].bottom, columns[i].bottom, share)};
+  }
+  return {columns.back().top, columns.back().bottom};
 }
 
 TEST(Ticks, AreRoundAndWithinTheRange) {
@@ -127,20 +152,6 @@ TEST(CurveShape, GapsBreakTheCurve) {
   EXPECT_EQ(shape.strips()[1].count, 2);
 }
 
-TEST(CurveShape, DenseSamplesKeepEveryPeakAtTheCostOfPixels) {
-  std::vector<double> samples(100000, 0.0);
-  samples[51234] = 7.0;
-  CurveShape shape;
-  const ValueAxis axis = axis_over(0.0, 7.0);
-  shape.build(samples, window_over(0.0, 99999.0), axis);
-  ASSERT_EQ(shape.strips().size(), 1u);
-  const auto points = shape.points(shape.strips()[0]);
-  EXPECT_LT(points.size(), 4100u);
-  float top = 1e9f;
-  for (const ImVec2& point : points) top = std::min(top, point.y);
-  EXPECT_FLOAT_EQ(top, axis.y_of(7.0));
-}
-
 TEST(CurveShape, DrawsOnlyWhatIsInSight) {
   const std::vector<double> samples(1000, 1.0);
   CurveShape shape;
@@ -149,6 +160,80 @@ TEST(CurveShape, DrawsOnlyWhatIsInSight) {
   EXPECT_EQ(shape.strips()[0].count, 11);
   shape.build({}, window_over(0.0, 10.0), axis_over(0.0, 2.0));
   EXPECT_TRUE(shape.strips().empty());
+}
+
+TEST(CurveBand, KeepsEveryPeakAtTheCostOfPixels) {
+  std::vector<double> samples(100000, 0.0);
+  samples[51234] = 7.0;
+  const ValueAxis axis = axis_over(0.0, 7.0);
+  const TimeWindow time = window_over(0.0, 99999.0);
+  const CurveBand band = band_of(samples, time, axis);
+  ASSERT_EQ(band.strips().size(), 1u);
+  const auto columns = band.columns(band.strips()[0]);
+  EXPECT_LE(columns.size(), 1001u);
+  const auto highest = std::min_element(columns.begin(), columns.end(), [](auto& a, auto& b) { return a.top < b.top; });
+  EXPECT_FLOAT_EQ(highest->top, axis.y_of(7.0));
+  EXPECT_FLOAT_EQ(highest->bottom, axis.y_of(0.0));
+  EXPECT_NEAR(highest->x, time.x_of(51234), 1.0f);
+}
+
+TEST(CurveBand, CoversEachSample) {
+  std::vector<double> samples(5000);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::sin(0.01 * static_cast<double>(i)) * 40.0 + static_cast<double>(i % 3);
+  const TimeWindow time = window_over(0.0, 4999.0);
+  const ValueAxis axis = axis_over(-50.0, 50.0);
+  const CurveBand band = band_of(samples, time, axis);
+  for (int frame = 0; frame < 5000; ++frame) {
+    const float x = time.x_of(frame);
+    const float y = axis.y_of(samples[idx(frame)]);
+    const auto [top, bottom] = cut(band, 0, x);
+    EXPECT_GE(y, top - 1.5f) << frame;
+    EXPECT_LE(y, bottom + 1.5f) << frame;
+  }
+}
+
+TEST(CurveBand, AStepIsBridged) {
+  std::vector<double> samples(3000, 0.0);
+  std::fill(samples.begin() + 1500, samples.end(), 100.0);
+  const CurveBand band = band_of(samples, window_over(0.0, 2999.0), axis_over(0.0, 100.0));
+  ASSERT_EQ(band.strips().size(), 1u);
+  const auto columns = band.columns(band.strips()[0]);
+  for (std::size_t i = 1; i < columns.size(); ++i) {
+    EXPECT_LE(columns[i].top, columns[i - 1].bottom + 1e-3f);
+    EXPECT_GE(columns[i].bottom, columns[i - 1].top - 1e-3f);
+  }
+}
+
+TEST(CurveBand, IsBrokenByWhatIsNotFinite) {
+  std::vector<double> samples(10000, 1.0);
+  samples[5000] = NAN;
+  const CurveBand band = band_of(samples, window_over(0.0, 9999.0), axis_over(0.0, 2.0));
+  ASSERT_EQ(band.strips().size(), 2u);
+  EXPECT_LE(band.columns(band.strips()[0]).back().x, window_over(0.0, 9999.0).x_of(5000));
+}
+
+TEST(CurveBand, DoesNotChangeWhenPanned) {
+  std::vector<double> samples(100000);
+  for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::sin(12.9898 * static_cast<double>(i));
+  const ValueAxis axis = axis_over(-1.0, 1.0);
+  TimeWindow time = window_over(20000.0, 60000.0);
+  const CurveBand before = band_of(samples, time, axis);
+  const CurveColumns columns = visible_columns(time, 100000);
+  time.pan(7.0 * columns.frames_per_column, 100000);
+  const CurveBand after = band_of(samples, time, axis);
+  const auto old = before.columns(before.strips()[0]);
+  const auto moved = after.columns(after.strips()[0]);
+  // The ends apart, whose neighbours are out of sight.
+  for (std::size_t i = 10; i + 10 < moved.size(); ++i) {
+    EXPECT_FLOAT_EQ(moved[i].top, old[i + 7].top);
+    EXPECT_NEAR(moved[i].x, old[i + 7].x - 7.0f, 1e-2f);
+  }
+}
+
+TEST(CurveBand, IsNothingWhereThereIsNothing) {
+  EXPECT_EQ(visible_columns(window_over(10.0, 500.0), 0).count, 0);
+  EXPECT_EQ(visible_columns(window_over(10.0, 500.0), 5).count, 0);
+  EXPECT_TRUE(band_of({}, window_over(0.0, 500.0), axis_over(0.0, 1.0)).strips().empty());
 }
 
 }  // namespace

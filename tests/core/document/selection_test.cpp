@@ -107,7 +107,7 @@ TEST_F(SelectionTest, ShowsTheVisibleChannelsOfTheSelectedJoints) {
 TEST_F(SelectionTest, SamplesThatAreNoLongerShownAreNoLongerSelected) {
   selection.select_only(0);
   selection.toggle(1);
-  for (const ChannelIndex channel : {0, 5, 6, 7}) selection.samples().add(channel, {2, 3});
+  for (const ChannelIndex channel : {0, 5, 6, 7}) selection.change_samples().add(channel, {2, 3});
   selection.set_channel_visible(5, false);
   EXPECT_THAT(selection.samples().channels(), ElementsAre(0, 6, 7));
   selection.toggle(2);

@@ -31,7 +31,7 @@ TEST(Session, OpensPausedOnTheFirstFrameWithNothingSelected) {
 TEST(Session, PlaybackAndSelectionFollowTheNumberOfFrames) {
   Session session = open_session(10);
   session.playback.set_position(9);
-  session.selection.samples().add(3, {8, 2});
+  session.selection.change_samples().add(3, {8, 2});
   ASSERT_TRUE(session.apply(make_remove_frames_edit({5, 5})));
   EXPECT_EQ(session.playback.position(), 4.0);
   EXPECT_EQ(session.playback.range(), (FrameRange{0, 5}));

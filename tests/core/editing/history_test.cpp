@@ -295,6 +295,19 @@ TEST_F(HistoryTest, RevisionGrowsByOnePerChangeWithTheFramesOfIt) {
   EXPECT_EQ(history.last_changed_frames(), (FrameRange{3, 1}));
 }
 
+TEST_F(HistoryTest, KnowsTheFramesOfSeveralChanges) {
+  EXPECT_EQ(history.changed_frames_since(0).count, 0);
+  ASSERT_TRUE(apply("a", 1, 0));
+  ASSERT_TRUE(apply("b", 2, 2));
+  EXPECT_EQ(history.changed_frames_since(0), (FrameRange{0, 3}));
+  EXPECT_EQ(history.changed_frames_since(1), (FrameRange{2, 1}));
+  EXPECT_EQ(history.changed_frames_since(2).count, 0);
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(apply("c", 10.0 + i, 1));
+  EXPECT_EQ(history.changed_frames_since(history.revision() - 3), (FrameRange{1, 1}));
+  EXPECT_TRUE(history.changed_frames_since(0).contains(1'000'000)) << "too long ago to be known";
+  EXPECT_TRUE(history.changed_frames_since(history.revision() + 1).contains(1'000'000)) << "of another clip";
+}
+
 TEST_F(HistoryTest, AStateOfADragChangesTheFramesOfTheFormerStateToo) {
   const auto lift = [&](FrameRange frames) {
     return history.apply_gesture(

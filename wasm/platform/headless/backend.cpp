@@ -39,6 +39,10 @@ std::string Backend::load_preferences() { return headless_log().preferences; }
 
 SystemPreferences Backend::system_preferences() { return headless_log().system; }
 
+double Backend::now_ms() { return headless_log().now_ms; }
+
+Backend::Memory Backend::memory() { return headless_log().memory; }
+
 void Backend::set_mouse_cursor(std::string_view css_cursor) { headless_log().mouse_cursor = css_cursor; }
 
 void Backend::open_link(std::string_view url) { headless_log().links.emplace_back(url); }

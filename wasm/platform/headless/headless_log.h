@@ -24,6 +24,8 @@ struct HeadlessLog {
   std::string preferences;  ///< what store_preferences was given, and load_preferences returns
   int preference_writes = 0;
   SystemPreferences system;
+  double now_ms = 0.0;
+  Backend::Memory memory;
 };
 
 [[nodiscard]] HeadlessLog& headless_log();

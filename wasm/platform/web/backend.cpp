@@ -1,5 +1,9 @@
 #include "wasm/platform/backend.h"
 
+#include <emscripten/emscripten.h>
+#include <emscripten/heap.h>
+#include <malloc.h>
+
 #include "wasm/platform/web/host.h"
 
 namespace marey::app {
@@ -38,6 +42,12 @@ SystemPreferences Backend::system_preferences() {
           .reduced_motion = (bits & 2) != 0,
           .apple_keys = (bits & 4) != 0,
           .coarse_pointer = (bits & 8) != 0};
+}
+
+double Backend::now_ms() { return emscripten_get_now(); }
+
+Backend::Memory Backend::memory() {
+  return {.used = static_cast<std::size_t>(mallinfo().uordblks), .total = emscripten_get_heap_size()};
 }
 
 void Backend::set_mouse_cursor(std::string_view css_cursor) {

@@ -65,11 +65,21 @@ void Page::connect_imgui() {
 }
 
 bool Page::frame(double now_ms) {
+  const double begin_ms = backend_.now_ms();
   input_.set_css_per_unit(app_->css_per_unit());
   ImGui_ImplOpenGL3_NewFrame();
   const bool wants_more = app_->frame(window_, now_ms / 1000.0);
   draw();
+  note_cost(begin_ms);
   return wants_more || Input::has_waiting_events();
+}
+
+void Page::note_cost(double begin_ms) {
+  const SceneRenderer::Count scene = scene_renderer_.take_count();
+  const ImDrawData& interface = *ImGui::GetDrawData();
+  int calls = scene.calls;
+  for (const ImDrawList* list : interface.CmdLists) calls += list->CmdBuffer.Size;
+  app_->note_cost({.cpu_ms = backend_.now_ms() - begin_ms, .draw_calls = calls, .vertices = scene.vertices + interface.TotalVtxCount});
 }
 
 void Page::draw() {

@@ -48,6 +48,7 @@ class Page {
  private:
   void connect_imgui();
   void draw();
+  void note_cost(double begin_ms);
 
   Backend backend_;
   GlContext gl_;

@@ -8,6 +8,8 @@ namespace {
 
 constexpr GLuint kFrameBlockSlot = 0;
 
+DrawCount draw_count;
+
 Error make_error(const char* program, std::string reason) {
   while (!reason.empty() && (reason.back() == '\0' || reason.back() == '\n')) reason.pop_back();
   Error error;
@@ -82,6 +84,26 @@ void StreamBuffer::upload(const void* data, std::size_t size_bytes) {
   // Fresh storage each time, so that the driver need not wait for the last frame's draws.
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
   glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(size_bytes), data);
+}
+
+DrawCount take_draw_count() { return std::exchange(draw_count, {}); }
+
+void draw_arrays(GLenum mode, GLint first, GLsizei count) {
+  ++draw_count.calls;
+  draw_count.vertices += count;
+  glDrawArrays(mode, first, count);
+}
+
+void draw_arrays_instanced(GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+  ++draw_count.calls;
+  draw_count.vertices += count * instances;
+  glDrawArraysInstanced(mode, first, count, instances);
+}
+
+void draw_elements_instanced(GLenum mode, GLsizei count, GLenum type, GLsizei instances) {
+  ++draw_count.calls;
+  draw_count.vertices += count * instances;
+  glDrawElementsInstanced(mode, count, type, nullptr, instances);
 }
 
 void set_attribute(GLuint location, int components, std::size_t stride, std::size_t offset, GLuint divisor) {

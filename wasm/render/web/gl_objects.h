@@ -87,6 +87,18 @@ class StreamBuffer {
   std::size_t capacity_ = 0;
 };
 
+/// What has been drawn since it was last taken.
+struct DrawCount {
+  int calls = 0;
+  int vertices = 0;
+};
+[[nodiscard]] DrawCount take_draw_count();
+
+/// As in GL, and counted.
+void draw_arrays(GLenum mode, GLint first, GLsizei count);
+void draw_arrays_instanced(GLenum mode, GLint first, GLsizei count, GLsizei instances);
+void draw_elements_instanced(GLenum mode, GLsizei count, GLenum type, GLsizei instances);
+
 /// Enables float attribute `location` of the bound array buffer; `divisor` 1 for one value per instance.
 void set_attribute(GLuint location, int components, std::size_t stride, std::size_t offset, GLuint divisor = 0);
 

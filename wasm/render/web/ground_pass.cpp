@@ -38,7 +38,7 @@ void GroundPass::draw_background(const Scene& scene) const {
   set_uniform(top_, scene.background_top);
   set_uniform(bottom_, scene.background_bottom);
   glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_arrays(GL_TRIANGLES, 0, 3);
 }
 
 void GroundPass::draw_ground(const Scene& scene, GLuint shadow_map) const {
@@ -66,7 +66,7 @@ void GroundPass::draw_ground(const Scene& scene, GLuint shadow_map) const {
   glEnable(GL_BLEND);
   glBindTexture(GL_TEXTURE_2D, shadow_map);
   glBindVertexArray(no_vertices_.name());
-  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  draw_arrays(GL_TRIANGLE_STRIP, 0, 4);
   glBindTexture(GL_TEXTURE_2D, 0);
   glDisable(GL_BLEND);
 }

@@ -75,7 +75,7 @@ void InstanceBatch::upload(const void* data, std::size_t count, std::size_t size
 void InstanceBatch::draw() const {
   if (count_ == 0) return;
   glBindVertexArray(array_.name());
-  glDrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, nullptr, count_);
+  draw_elements_instanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_SHORT, count_);
 }
 
 }  // namespace marey::app::gl

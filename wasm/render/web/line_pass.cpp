@@ -48,7 +48,7 @@ void LinePass::draw(const Scene& scene, float pixels_per_unit) {
     set_attribute(4, 4, kStride, start + 2 * kStride + offsetof(SceneLinePoint, color), 1);
     set_attribute(5, 3, kStride, start + 3 * kStride + offsetof(SceneLinePoint, position), 1);
     set_uniform(half_width_, 0.5f * line.width * pixels_per_unit);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, line.count - 1);
+    draw_arrays_instanced(GL_TRIANGLE_STRIP, 0, 4, line.count - 1);
     point += idx(line.count) + 2;
   }
   glDepthMask(GL_TRUE);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "wasm/render/web/curve_pass.h"
 #include "wasm/render/web/frame_uniforms.h"
 #include "wasm/render/web/ground_pass.h"
 #include "wasm/render/web/line_pass.h"
@@ -48,12 +49,14 @@ struct SceneRenderer::Passes {
   gl::ShadowPass shadow;
   gl::GroundPass ground;
   gl::LinePass lines;
+  gl::CurvePass curves;
 
   Status start() {
     if (Status status = solids.start(); !status) return status;
     if (Status status = shadow.start(); !status) return status;
     if (Status status = ground.start(); !status) return status;
     if (Status status = lines.start(); !status) return status;
+    if (Status status = curves.start(); !status) return status;
     frame.create();
     glBindBuffer(GL_UNIFORM_BUFFER, frame.name());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(gl::FrameUniforms), nullptr, GL_DYNAMIC_DRAW);
@@ -101,6 +104,11 @@ void SceneRenderer::draw(const Scene& scene, int framebuffer_width, int framebuf
   if (passes_ == nullptr || view.width <= 0 || view.height <= 0) return;
   passes_->draw_view(scene, view, pixels_per_unit);
   leave_clean_state();
+}
+
+SceneRenderer::Count SceneRenderer::take_count() {
+  const gl::DrawCount count = gl::take_draw_count();
+  return {count.calls, count.vertices};
 }
 
 void SceneRenderer::release() { passes_.reset(); }

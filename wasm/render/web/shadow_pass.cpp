@@ -73,7 +73,7 @@ void ShadowPass::blur(int from, int to, const glm::vec2& step) const {
   glBindFramebuffer(GL_FRAMEBUFFER, targets_[to].name());
   glBindTexture(GL_TEXTURE_2D, maps_[from].name());
   set_uniform(blur_step_, step);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
+  draw_arrays(GL_TRIANGLES, 0, 3);
 }
 
 void ShadowPass::draw(const Scene& scene, const SolidPass& solids) {

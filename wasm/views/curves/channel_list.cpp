@@ -64,6 +64,14 @@ void draw_row(ViewContext& context, ChannelIndex index) {
                hovered || !visible ? context.theme.text : context.theme.dim_text, icon);
 }
 
+// Rows out of sight are left out, but for some beside those in sight, where the arrow keys go on.
+bool is_near_sight(float height) {
+  const float top = ImGui::GetCursorScreenPos().y;
+  const float window_top = ImGui::GetWindowPos().y;
+  constexpr float kMargin = 2.0f * kRowHeight;
+  return top + height >= window_top - kMargin && top <= window_top + ImGui::GetWindowHeight() + kMargin;
+}
+
 void draw_joint_heading(ViewContext& context, JointIndex joint) {
   ImGui::Dummy({0.0f, 4.0f});
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + kPadding);
@@ -81,7 +89,9 @@ void draw_channel_list(ViewContext& context) {
   for (const JointIndex joint : context.session.selection.joints()) {
     draw_joint_heading(context, joint);
     const ChannelIndex first = skeleton.first_channel(joint);
-    for (int i = 0; i < skeleton.channel_count(joint); ++i) draw_row(context, first + i);
+    for (int i = 0; i < skeleton.channel_count(joint); ++i) {
+      is_near_sight(kRowHeight) ? draw_row(context, first + i) : ImGui::Dummy({0.0f, kRowHeight});
+    }
   }
   ImGui::PopStyleVar();
 }

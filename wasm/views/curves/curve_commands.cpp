@@ -31,7 +31,7 @@ Json apply(const CurveCommandTargets& t, Edit edit) {
 
 void select_everything(const CurveCommandTargets& t) {
   const FrameRange all{0, t.session.document.motion().frame_count()};
-  for (const ChannelIndex channel : t.state.shown) t.session.selection.samples().add(channel, all);
+  for (const ChannelIndex channel : t.state.shown) t.session.selection.change_samples().add(channel, all);
 }
 
 Json select_run(const CurveCommandTargets& t, const Json& args) {
@@ -44,8 +44,8 @@ Json select_run(const CurveCommandTargets& t, const Json& args) {
   const int count = read.whole("count", 1, 1, frames);
   const bool add = read.boolean("add", false);
   if (read.failed()) return read.error();
-  if (!add) t.session.selection.samples().clear();
-  t.session.selection.samples().add(channel, {first, std::min(count, frames - first)});
+  if (!add) t.session.selection.change_samples().clear();
+  t.session.selection.change_samples().add(channel, {first, std::min(count, frames - first)});
   return {{"selected", t.session.selection.samples().count()}};
 }
 
@@ -152,7 +152,7 @@ void add_selection_commands(CommandRegistry& registry, CurveCommandTargets t) {
                 .help = "Clears the selection of samples.",
                 .shortcut = "Ctrl+Shift+A",
                 .run = [t](const Json&) -> Json {
-                  t.session.selection.samples().clear();
+                  t.session.selection.change_samples().clear();
                   return nullptr;
                 },
                 .blocked = [t] { return without_samples(t); }});

@@ -1,10 +1,7 @@
 #include "wasm/views/curves/curves_drawing.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "wasm/views/curves/curves_overlay.h"
 
@@ -15,18 +12,6 @@ namespace {
 constexpr float kDotSpacing = 6.0f;
 constexpr float kDotRadius = 2.25f;
 constexpr float kSelectedDotRadius = 3.5f;
-constexpr float kRestrained = 0.55f;
-
-bool is_hovered(const ViewContext& context, const CurvesState& state, ChannelIndex channel) {
-  return state.hit.channel == channel || context.hover.channel == channel;
-}
-
-// Curves of the active joint stand before those of the others.
-float emphasis_of(const ViewContext& context, const CurvesState& state, ChannelIndex channel) {
-  const JointIndex joint = context.session.document.skeleton().channel(channel).joint;
-  const bool first = joint == context.session.selection.active_joint();
-  return first || is_hovered(context, state, channel) ? 1.0f : kRestrained;
-}
 
 struct VisibleFrames {
   int first = 0;
@@ -38,9 +23,11 @@ VisibleFrames visible_frames(const TimeWindow& time, FrameRange within) {
           std::min(within.end() - 1, static_cast<int>(std::ceil(time.last)))};
 }
 
-void draw_dots(ViewContext& context, const CurvesState& state, ChannelIndex channel, ImU32 color) {
+void draw_dots(ViewContext& context, const CurvesState& state, ChannelIndex channel) {
   const TimeWindow& time = context.time_window;
   if (time.frames_per_unit() * static_cast<double>(kDotSpacing) > 1.0) return;
+  if (state.shown.size() > kMostCurvesInDetail && !is_curve_hovered(context, state, channel)) return;
+  const ImU32 color = curve_color(context, state, channel);
   const Motion& motion = context.session.document.motion();
   const ValueAxis& axis = state.axis_of(context.session.document.skeleton(), channel);
   const VisibleFrames frames = visible_frames(time, {0, motion.frame_count()});
@@ -51,27 +38,51 @@ void draw_dots(ViewContext& context, const CurvesState& state, ChannelIndex chan
   }
 }
 
-void draw_selected(ViewContext& context, const CurvesState& state, const SampleRun& run) {
-  const TimeWindow& time = context.time_window;
-  const ValueAxis& axis = state.axis_of(context.session.document.skeleton(), run.channel);
-  const auto samples = context.session.document.motion().channel_samples(run.channel);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const VisibleFrames frames = visible_frames(time, run.frames);
-  // Closer than a unit apart, dots would only pile up on the same pixels.
-  const int stride = std::max(1, static_cast<int>(time.frames_per_unit() * 2.0));
-  for (int frame = frames.first; frame <= frames.last; frame += stride) {
-    if (!std::isfinite(samples[idx(frame)])) continue;
-    const ImVec2 center{time.x_of(frame), axis.y_of(samples[idx(frame)])};
-    list.AddCircleFilled(center, kSelectedDotRadius, context.theme.selection, 14);
-    if (stride == 1) list.AddCircle(center, kSelectedDotRadius, context.theme.panel, 14, 1.0f);
+// Calls back with the selected frames of a channel that are in sight, none closer than `stride` to the one before.
+template <class Visit>
+void visit_selected(std::span<const SampleRun> runs, VisibleFrames frames, int stride, const Visit& visit) {
+  int frame = frames.first;
+  auto run = runs.begin();
+  while (frame <= frames.last) {
+    run = std::partition_point(run, runs.end(), [frame](const SampleRun& r) { return r.frames.end() <= frame; });
+    if (run == runs.end() || run->frames.first > frames.last) return;
+    frame = std::max(frame, run->frames.first);
+    visit(frame);
+    frame += stride;
   }
 }
 
+struct SelectedLook {
+  bool many = false;
+  bool ringed = false;
+};
+
+void draw_selected_dot(ImDrawList& list, const Theme& theme, ImVec2 center, SelectedLook look) {
+  const ImDrawListFlags flags = list.Flags;
+  if (look.many) list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  list.AddCircleFilled(center, kSelectedDotRadius, theme.selection, look.many ? 6 : 14);
+  list.Flags = flags;
+  if (look.ringed) list.AddCircle(center, kSelectedDotRadius, theme.panel, 14, 1.0f);
+}
+
 void draw_selection(ViewContext& context, const CurvesState& state) {
-  for (const SampleRun& run : context.session.selection.samples().runs()) {
-    if (std::find(state.shown.begin(), state.shown.end(), run.channel) != state.shown.end()) {
-      draw_selected(context, state, run);
-    }
+  const TimeWindow& time = context.time_window;
+  const Document& document = context.session.document;
+  const SampleSelection& selection = context.session.selection.samples();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  // Closer than two units apart, dots would only pile up on the same pixels.
+  const bool many = state.shown.size() > kMostCurvesInDetail;
+  const int stride = std::max(1, static_cast<int>(time.frames_per_unit() * (many ? 4.0 : 2.0)));
+  for (const ChannelIndex channel : state.shown) {
+    const std::span<const SampleRun> runs = selection.runs_of(channel);
+    if (runs.empty()) continue;
+    const ValueAxis& axis = state.axis_of(document.skeleton(), channel);
+    const auto samples = document.motion().channel_samples(channel);
+    visit_selected(runs, visible_frames(time, {0, size_of(samples)}), stride, [&](int frame) {
+      if (!std::isfinite(samples[idx(frame)])) return;
+      const ImVec2 center{time.x_of(frame), axis.y_of(samples[idx(frame)])};
+      draw_selected_dot(list, context.theme, center, {many, !many && stride == 1});
+    });
   }
 }
 
@@ -86,46 +97,14 @@ void draw_grids(ViewContext& context, const CurvesState& state) {
 
 }  // namespace
 
-ImU32 channel_color(const Theme& theme, const Channel& channel) {
-  return channel.kind == ChannelKind::Other ? theme.middle : theme.axis[static_cast<int>(axis_of(channel.kind))];
-}
-
-void CurvesDrawing::draw_strips(ImDrawList& list, ImU32 color, float width) {
-  for (const CurveShape::Strip& strip : shape_.strips()) {
-    const auto points = shape_.points(strip);
-    list.AddPolyline(points.data(), strip.count, color, ImDrawFlags_None, width);
-  }
-}
-
-void CurvesDrawing::draw_ghost(ViewContext& context, const CurvesState& state, ChannelIndex channel) {
-  const auto saved = context.session.document.saved_samples(channel);
-  if (saved.empty()) return;
-  shape_.build(saved, context.time_window, state.axis_of(context.session.document.skeleton(), channel));
-  draw_strips(*ImGui::GetWindowDrawList(), with_alpha(context.theme.ghost, 0.8f), 1.25f);
-}
-
-void CurvesDrawing::draw_curve(ViewContext& context, const CurvesState& state, ChannelIndex channel) {
-  const Document& document = context.session.document;
-  const Channel& described = document.skeleton().channel(channel);
-  const ImU32 color =
-      with_alpha(channel_color(context.theme, described), emphasis_of(context, state, channel));
-  const bool strong = is_hovered(context, state, channel);
-  shape_.build(document.motion().channel_samples(channel), context.time_window,
-               state.axis_of(document.skeleton(), channel));
-  // Positions are drawn thinner than rotations: the same axis colour, another quantity.
-  const float width = is_rotation(described.kind) ? 1.75f : 1.25f;
-  draw_strips(*ImGui::GetWindowDrawList(), color, strong ? width + 1.0f : width);
-  draw_dots(context, state, channel, color);
-}
-
 void CurvesDrawing::draw(ViewContext& context, const CurvesState& state) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_grids(context, state);
   list.PushClipRect(state.area.min, state.area.max, true);
   draw_range_shade(context, state);
   draw_falloff_band(context, state);
-  for (const ChannelIndex channel : state.shown) draw_ghost(context, state, channel);
-  for (const ChannelIndex channel : state.shown) draw_curve(context, state, channel);
+  lines_.draw(context, state);
+  for (const ChannelIndex channel : state.shown) draw_dots(context, state, channel);
   draw_selection(context, state);
   draw_end_letters(context, state);
   draw_box(context, state);

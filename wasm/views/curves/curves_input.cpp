@@ -22,7 +22,7 @@ bool is_selected(const Session& session, const CurveHit& hit) {
 }
 
 void click_select(Session& session, const CurveHit& hit) {
-  SampleSelection& samples = session.selection.samples();
+  SampleSelection& samples = session.selection.change_samples();
   if (io().KeyCtrl && is_selected(session, hit)) {
     samples.remove(hit.channel, {hit.frame, 1});
     return;
@@ -102,7 +102,7 @@ void continue_drag(ViewContext& context, CurvesState& state) {
 }
 
 void finish_box(ViewContext& context, CurvesState& state) {
-  SampleSelection& samples = context.session.selection.samples();
+  SampleSelection& samples = context.session.selection.change_samples();
   if (!io().KeyShift && !io().KeyCtrl) samples.clear();
   if (!state.drag.moved) return;
   const SampleSelection boxed =

@@ -11,7 +11,7 @@ constexpr float kLineReach = 6.0f;
 constexpr double kLeastAngleHeight = 1.0;
 constexpr double kLeastLengthHeight = 0.02;  // statures
 
-float distance(ImVec2 a, ImVec2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+float square_distance(ImVec2 a, ImVec2 b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
 
 ValueRange visible_values(std::span<const double> samples, double first, double last) {
   ValueRange range;
@@ -47,9 +47,12 @@ void consider_samples(Candidate& best, std::span<const double> samples, ChannelI
   const int spread = static_cast<int>(std::min(256.0, static_cast<double>(kSampleReach) * time.frames_per_unit())) + 1;
   const int first = std::max(0, near - spread);
   const int last = std::min(static_cast<int>(samples.size()) - 1, near + spread);
+  float nearest = std::min(kSampleReach, best.reach) * std::min(kSampleReach, best.reach);
   for (int frame = first; frame <= last; ++frame) {
-    const float gap = distance(point, {time.x_of(frame), axis.y_of(samples[idx(frame)])});
-    if (gap <= kSampleReach && gap < best.reach) best = {{channel, frame, true}, gap};
+    const float gap = square_distance(point, {time.x_of(frame), axis.y_of(samples[idx(frame)])});
+    if (!(gap < nearest)) continue;
+    nearest = gap;
+    best = {{channel, frame, true}, std::sqrt(gap)};
   }
 }
 

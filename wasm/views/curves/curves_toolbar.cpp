@@ -11,11 +11,11 @@ namespace {
 
 bool has_selection(const ViewContext& context) { return !context.session.selection.samples().empty(); }
 
-const char* selection_unit(const ViewContext& context) {
+const char* common_unit(const ViewContext& context) {
   const Skeleton& skeleton = context.session.document.skeleton();
   const char* unit = nullptr;
-  for (const ChannelIndex channel : context.session.selection.samples().channels()) {
-    const char* own = unit_of(skeleton.channel(channel).kind);
+  for (const SampleRun& run : context.session.selection.samples().runs()) {
+    const char* own = unit_of(skeleton.channel(run.channel).kind);
     if (unit != nullptr && std::string_view(unit) != own) return "";
     unit = own;
   }
@@ -39,28 +39,40 @@ void separator(ViewContext& context) {
 
 }  // namespace
 
+// A selection may hold millions of samples: it is looked through when it or the clip has changed, not in each frame.
+void CurvesToolbar::follow_selection(const ViewContext& context) {
+  const SelectionFacts known = facts_;
+  facts_.clip_serial = context.clip_serial;
+  facts_.revision = context.session.document.revision();
+  facts_.sample_serial = context.session.selection.sample_serial();
+  const bool same = facts_.clip_serial == known.clip_serial && facts_.revision == known.revision &&
+                    facts_.sample_serial == known.sample_serial && known.unit != nullptr;
+  if (same) return;
+  facts_.unit = common_unit(context);
+  facts_.mean = compute_selection_mean(context.session.document.clip(), context.session.selection.samples());
+}
+
 void CurvesToolbar::draw_value(ViewContext& context) {
-  const SampleSelection selection = context.session.selection.samples();
+  const SampleSelection& selection = context.session.selection.samples();
   label(context, "Value");
-  const double mean = compute_selection_mean(context.session.document.clip(), selection);
-  const auto result = ui::number_field(context, "curves.value", "Value", mean,
-                                       {.unit = selection_unit(context), .decimals = 3, .step = 0.1, .width = 104.0f});
+  const auto result = ui::number_field(context, "curves.value", "Value", facts_.mean,
+                                       {.unit = facts_.unit, .decimals = 3, .step = 0.1, .width = 104.0f});
   apply_number(context, result,
         [&](const Clip& clip) { return make_value_edit(clip, selection, result.value); });
 }
 
 void CurvesToolbar::draw_offset(ViewContext& context) {
   label(context, "Offset");
-  const SampleSelection selection = context.session.selection.samples();
+  const SampleSelection& selection = context.session.selection.samples();
   const auto result = ui::number_field(context, "curves.offset", "Offset", offset_,
-                                       {.unit = selection_unit(context), .decimals = 2, .step = 0.1, .width = 92.0f});
+                                       {.unit = facts_.unit, .decimals = 2, .step = 0.1, .width = 92.0f});
   apply_number(context, result, [&](const Clip& clip) { return make_move_edit(clip, selection, result.value, {}); });
   offset_ = result.event == ui::NumberEvent::Live ? result.value : 0.0;
 }
 
 void CurvesToolbar::draw_scale(ViewContext& context) {
   label(context, "Scale");
-  const SampleSelection selection = context.session.selection.samples();
+  const SampleSelection& selection = context.session.selection.samples();
   const auto result =
       ui::number_field(context, "curves.scale", "Scale", scale_, {.unit = "×", .decimals = 2, .step = 0.01, .width = 80.0f});
   apply_number(context, result, [&](const Clip& clip) {
@@ -97,6 +109,7 @@ void CurvesToolbar::draw(ViewContext& context, CurvesState& /*state*/) {
     return ImGui::NewLine();
   }
   separator(context);
+  follow_selection(context);
   draw_value(context);
   ImGui::SameLine(0.0f, 8.0f);
   draw_offset(context);

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "wasm/app/time_window.h"
+#include "wasm/render/curve_batch.h"
 #include "wasm/views/graph/value_axis.h"
 
 namespace marey::app {
 
-/// Turns the visible part of a curve into screen points. Where several samples share a column of `column_width`, the
-/// column keeps its first, lowest, highest and last sample, so that no peak is lost and the cost is that of the pixels.
-/// Samples that are not finite break the curve: each unbroken stretch is one strip.
+/// The visible samples of a curve as screen points, for curves with few samples to a pixel; those with more are drawn as
+/// CurveBand. Samples that are not finite break the curve: each unbroken stretch is one strip.
 class CurveShape {
  public:
   struct Strip {
@@ -21,17 +21,17 @@ class CurveShape {
   };
 
   /// `samples` are the whole curve; the visible frames come from `time`. Buffers are reused.
-  void build(std::span<const double> samples, const TimeWindow& time, const ValueAxis& axis, float column_width = 1.0f);
+  void build(std::span<const double> samples, const TimeWindow& time, const ValueAxis& axis);
 
   [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
   [[nodiscard]] std::span<const ImVec2> points(const Strip& strip) const;
 
+  void draw(ImDrawList& list, ImU32 color, float width) const;
+  /// The same for a batch of lines.
+  void add_to(CurveBatch& batch, ImU32 color, float width) const;
+
  private:
   void add_point(ImVec2 point);
-  void break_strip();
-  void add_samples(std::span<const double> samples, int first, int last, const TimeWindow& time, const ValueAxis& axis);
-  void add_columns(std::span<const double> samples, int first, int last, const TimeWindow& time, const ValueAxis& axis,
-                   double frames_per_column);
 
   std::vector<ImVec2> points_;
   std::vector<Strip> strips_;

@@ -11,6 +11,8 @@ struct ValueAxis {
   float top = 0.0f;     ///< screen y of `high`, ImGui units
   float bottom = 1.0f;  ///< screen y of `low`
 
+  bool operator==(const ValueAxis&) const = default;
+
   [[nodiscard]] float y_of(double value) const;
   [[nodiscard]] double value_at(float y) const;
   [[nodiscard]] double values_per_unit() const { return (high - low) / static_cast<double>(bottom - top); }
