@@ -17,7 +17,9 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 # Native and wasm give the same numbers: no contraction into fused operations, no -ffast-math anywhere.
 add_compile_options(-ffp-contract=off)
 if(EMSCRIPTEN)
-  add_compile_options(-msimd128 -fno-exceptions)
+  # A want of memory is an exception, which the bindings and the program's panels catch: docs/decisions/out-of-memory.md.
+  add_compile_options(-msimd128 -fwasm-exceptions)
+  add_link_options(-fwasm-exceptions)
   if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
     add_link_options(-sTOTAL_STACK=1MB)
   else()

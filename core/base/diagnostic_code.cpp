@@ -85,6 +85,7 @@ constexpr std::array<DiagnosticTraits, kDiagnosticCodeCount> kTraits = {{
     {Code::TableTimeMissing, "table_time_missing", Severity::Note, false},
     {Code::TableTimeRounded, "table_time_rounded", Severity::Note, false},
     {Code::TableTimeUneven, "table_time_uneven", Severity::Error, true},
+    {Code::OutOfMemory, "out_of_memory", Severity::Error, true},
     {Code::InvalidSkeleton, "invalid_skeleton", Severity::Error, true},
     {Code::InvalidArgument, "invalid_argument", Severity::Error, true},
     {Code::Cancelled, "cancelled", Severity::Error, true},

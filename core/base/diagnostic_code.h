@@ -89,6 +89,7 @@ enum class DiagnosticCode {
   TableTimeMissing,
   TableTimeRounded,
   TableTimeUneven,
+  OutOfMemory,
   InvalidSkeleton,
   InvalidArgument,
   Cancelled,

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/bits.h"
+#include "core/base/scope_exit.h"
 #include "core/bvh/writer.h"
 #include "core/kinematics/clip_bounds.h"
 #include "core/text/readable.h"
@@ -62,8 +63,8 @@ Document::Document(BvhClip clip, std::string file_name) : file_name_(std::move(f
 
 const Diagnostics& Document::diagnostics() const {
   if (readable_in_ != clip_.settings.names_in) {
+    readable_diagnostics_ = readable(diagnostics_, clip_.settings.names_in);
     readable_in_ = clip_.settings.names_in;
-    readable_diagnostics_ = readable(diagnostics_, *readable_in_);
   }
   return readable_diagnostics_;
 }
@@ -73,8 +74,9 @@ Status Document::apply(Edit edit) {
 }
 
 Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_edit) {
+  const ScopeExit forget([this] { forget_restored_frames(); });
   keep_gesture_ghosts(gesture);
-  Status status = history_.apply_gesture(clip_, gesture, [&](const Clip& clip) {
+  return history_.apply_gesture(clip_, gesture, [&](const Clip& clip) {
     Edit edit = make_edit(clip);
     if (check_edit(clip, edit)) {
       edit = reduced_to_changes(clip, std::move(edit));
@@ -82,28 +84,24 @@ Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_
     }
     return edit;
   });
-  forget_restored_frames();
-  return status;
 }
 
 void Document::cancel_gesture(GestureId gesture) {
+  const ScopeExit forget([this] { forget_restored_frames(); });
   keep_gesture_ghosts(gesture);
   history_.cancel_gesture(clip_, gesture);
-  forget_restored_frames();
 }
 
 bool Document::undo() {
+  const ScopeExit forget([this] { forget_restored_frames(); });
   if (const Edit* edit = history_.undo_edit()) keep_ghosts(*edit);
-  const bool undone = history_.undo(clip_);
-  forget_restored_frames();
-  return undone;
+  return history_.undo(clip_);
 }
 
 bool Document::redo() {
+  const ScopeExit forget([this] { forget_restored_frames(); });
   if (const Edit* edit = history_.redo_edit()) keep_ghosts(*edit);
-  const bool redone = history_.redo(clip_);
-  forget_restored_frames();
-  return redone;
+  return history_.redo(clip_);
 }
 
 BvhStyle Document::style_of_frames() const {

@@ -35,7 +35,7 @@ class Document {
   [[nodiscard]] const std::string& file_name() const { return file_name_; }
   [[nodiscard]] const History& history() const { return history_; }
 
-  /// As in History: an edit that does not fit the clip is refused and changes nothing.
+  /// As in History: an edit that does not fit the clip is refused and changes nothing, nor does one without memory for it.
   Status apply(Edit edit);
   /// One state of a gesture (one drag): as in History. The caller gives each gesture an id of its own.
   Status apply_gesture(GestureId gesture, const History::MakeEdit& make_edit);

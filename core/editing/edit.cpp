@@ -108,19 +108,29 @@ bool have_repeat(const std::vector<OffsetChange>& changes) {
   return std::adjacent_find(nodes.begin(), nodes.end()) != nodes.end();
 }
 
-void swap_frames(Clip& clip, FramesChange& change) {
-  if (clip.file_frames.empty()) {
-    clip.file_frames.resize(idx(clip.motion.frame_count()));
-    std::iota(clip.file_frames.begin(), clip.file_frames.end(), 0);
+/// A change of frames ready to be made: what the clip and the change are to hold.
+struct PreparedFrames {
+  Motion motion;
+  std::vector<FrameIndex> file_frames;
+  FramesChange back;
+};
+
+PreparedFrames prepare_frames(const Clip& clip, const FramesChange& change) {
+  PreparedFrames prepared;
+  std::vector<FrameIndex>& frames = prepared.file_frames;
+  frames = clip.file_frames;
+  if (frames.empty()) {
+    frames.resize(idx(clip.motion.frame_count()));
+    std::iota(frames.begin(), frames.end(), 0);
   }
-  if (change.inserted.frame_count() == 0) change.inserted = Motion(clip.motion.channel_count(), 0, clip.motion.frame_time_s());
-  clip.motion.exchange_frames(change.removed, change.inserted);
-  const auto begin = clip.file_frames.begin() + change.removed.first;
-  std::vector<FrameIndex> taken(begin, begin + change.removed.count);
-  const auto at = clip.file_frames.erase(begin, begin + change.removed.count);
-  clip.file_frames.insert(at, change.file_frames.begin(), change.file_frames.end());
-  change.removed.count = size_of(change.file_frames);
-  change.file_frames = std::move(taken);
+  const auto begin = frames.begin() + change.removed.first;
+  const auto end = begin + change.removed.count;
+  prepared.back.removed = {change.removed.first, size_of(change.file_frames)};
+  prepared.back.file_frames.assign(begin, end);
+  prepared.back.inserted = clip.motion.frames_of(change.removed);
+  prepared.motion = clip.motion.with_frames_replaced(change.removed, change.inserted);
+  frames.insert(frames.erase(begin, end), change.file_frames.begin(), change.file_frames.end());
+  return prepared;
 }
 
 void cut_to_difference(std::span<const double> present, SamplesChange& change) {
@@ -168,6 +178,17 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
 }
 
 void swap_edit(Clip& clip, Edit& edit) {
+  // What takes memory comes first: without it the clip and the edit are as they were.
+  std::optional<PreparedFrames> prepared;
+  if (edit.frames) prepared = prepare_frames(clip, *edit.frames);
+  if (edit.settings && edit.settings->names_in != clip.settings.names_in) {
+    clip.skeleton.read_names_in(edit.settings->names_in);
+  }
+  if (prepared) {
+    clip.motion = std::move(prepared->motion);
+    clip.file_frames = std::move(prepared->file_frames);
+    *edit.frames = std::move(prepared->back);
+  }
   for (SamplesChange& change : edit.samples) {
     const std::span<double> present = clip.motion.channel_samples(change.channel).subspan(idx(change.first));
     std::swap_ranges(change.values.begin(), change.values.end(), present.begin());
@@ -177,11 +198,7 @@ void swap_edit(Clip& clip, Edit& edit) {
     clip.skeleton.set_offset(change.node, change.offset);
     change.offset = present;
   }
-  if (edit.frames) swap_frames(clip, *edit.frames);
-  if (edit.settings) {
-    std::swap(clip.settings, *edit.settings);
-    clip.skeleton.read_names_in(clip.settings.names_in);
-  }
+  if (edit.settings) std::swap(clip.settings, *edit.settings);
   if (edit.frame_time_s) {
     const double present = clip.motion.frame_time_s();
     clip.motion.set_frame_time_s(*edit.frame_time_s);

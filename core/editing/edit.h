@@ -58,6 +58,7 @@ struct Edit {
 
 /// Exchanges the content of `edit` with that of the clip: the clip gets the new values and the edit holds the old ones,
 /// so the same call undoes and redoes. Precondition: check_edit(clip, edit) is ok, or the edit came out of this call.
+/// Takes memory for frames and for another character set only; where there is none, nothing is changed.
 void swap_edit(Clip& clip, Edit& edit);
 
 /// Bytes that an edit keeps, for the history's bound.

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/scope_exit.h"
+
 namespace marey {
 
 Status History::apply(Clip& clip, Edit edit) {
@@ -13,25 +15,28 @@ Status History::apply(Clip& clip, Edit edit) {
 }
 
 Status History::apply_gesture(Clip& clip, GestureId gesture, const MakeEdit& make_edit) {
-  const bool continues = is_in_gesture(gesture);
-  FrameRange former_frames;
-  if (continues) {
-    former_frames = edited_frames(clip, done_.back().edit);
-    swap_edit(clip, done_.back().edit);
+  if (!is_in_gesture(gesture)) {
+    Edit edit = make_edit(clip);
+    if (Status status = check_edit(clip, edit); !status) return status;
+    edit = reduced_to_changes(clip, std::move(edit));
+    if (!edit.empty()) push(clip, std::move(edit), gesture);
+    return {};
   }
+  const FrameRange former_frames = edited_frames(clip, done_.back().edit);
+  swap_edit(clip, done_.back().edit);
+  ScopeExit stay([&] { swap_edit(clip, done_.back().edit); });
   Edit edit = make_edit(clip);
-  if (Status status = check_edit(clip, edit); !status) {
-    if (continues) swap_edit(clip, done_.back().edit);
-    return status;
-  }
+  if (Status status = check_edit(clip, edit); !status) return status;
   edit = reduced_to_changes(clip, std::move(edit));
-  if (continues) drop_newest();
-  if (!edit.empty()) {
-    push(clip, std::move(edit), gesture);
-    changed_frames_[idx(last_change())] = hull(former_frames, last_changed_frames());
-  } else if (continues) {
+  if (edit.empty()) {
+    stay.dismiss();
+    drop_newest();
     note_change(former_frames);
+    return {};
   }
+  swap_edit(clip, edit);
+  stay.dismiss();
+  replace_newest(clip, std::move(edit), former_frames);
   return {};
 }
 
@@ -45,23 +50,27 @@ void History::cancel_gesture(Clip& clip, GestureId gesture) {
 
 bool History::undo(Clip& clip) {
   if (done_.empty()) return false;
-  Step step = std::move(done_.back());
+  undone_.emplace_back();
+  ScopeExit give_up([&] { undone_.pop_back(); });
+  swap_edit(clip, done_.back().edit);
+  give_up.dismiss();
+  undone_.back() = std::move(done_.back());
+  undone_.back().gesture = 0;
   done_.pop_back();
-  step.gesture = 0;
   forget(undone_before_gesture_);
-  swap_edit(clip, step.edit);
-  note_change(edited_frames(clip, step.edit));
-  undone_.push_back(std::move(step));
+  note_change(edited_frames(clip, undone_.back().edit));
   return true;
 }
 
 bool History::redo(Clip& clip) {
   if (undone_.empty()) return false;
-  Step step = std::move(undone_.back());
+  done_.emplace_back();
+  ScopeExit give_up([&] { done_.pop_back(); });
+  swap_edit(clip, undone_.back().edit);
+  give_up.dismiss();
+  done_.back() = std::move(undone_.back());
   undone_.pop_back();
-  swap_edit(clip, step.edit);
-  note_change(edited_frames(clip, step.edit));
-  done_.push_back(std::move(step));
+  note_change(edited_frames(clip, done_.back().edit));
   return true;
 }
 
@@ -83,18 +92,30 @@ bool History::is_in_gesture(GestureId gesture) const {
 }
 
 void History::push(Clip& clip, Edit edit, GestureId gesture) {
+  done_.emplace_back();
+  ScopeExit give_up([&] { done_.pop_back(); });
+  swap_edit(clip, edit);
+  give_up.dismiss();
   forget(undone_before_gesture_);
   if (gesture != 0) {
     undone_before_gesture_.swap(undone_);
   } else {
     forget(undone_);
   }
-  if (!done_.empty()) done_.back().gesture = 0;
-  swap_edit(clip, edit);
+  if (done_.size() > 1) done_[done_.size() - 2].gesture = 0;
   note_change(edited_frames(clip, edit));
   const std::size_t bytes = edit_bytes(edit);
   bytes_ += bytes;
-  done_.push_back({std::move(edit), gesture, next_state_++, bytes});
+  done_.back() = {std::move(edit), gesture, next_state_++, bytes};
+  trim();
+}
+
+// For a gesture, whose former edit has been swapped out of the clip and whose next one into it.
+void History::replace_newest(const Clip& clip, Edit edit, FrameRange former_frames) {
+  const std::size_t bytes = edit_bytes(edit);
+  bytes_ += bytes - done_.back().bytes;
+  note_change(hull(former_frames, edited_frames(clip, edit)));
+  done_.back() = {std::move(edit), done_.back().gesture, next_state_++, bytes};
   trim();
 }
 

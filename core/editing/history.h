@@ -14,7 +14,8 @@ namespace marey {
 /// Identity of a gesture (one drag, one slider held). Edits of one gesture are one step of undo. 0: no gesture.
 using GestureId = std::uint64_t;
 
-/// Undo and redo of one clip. Every change of an open clip goes through here.
+/// Undo and redo of one clip. Every change of an open clip goes through here. Where there is no memory for a call
+/// (std::bad_alloc), clip and history are as before it.
 class History {
  public:
   using MakeEdit = std::function<Edit(const Clip&)>;
@@ -73,6 +74,7 @@ class History {
   };
   [[nodiscard]] std::uint64_t present_state() const { return done_.empty() ? base_state_ : done_.back().state; }
   void push(Clip& clip, Edit edit, GestureId gesture);
+  void replace_newest(const Clip& clip, Edit edit, FrameRange former_frames);
   void drop_newest();
   void forget(std::vector<Step>& steps);
   void trim();

@@ -17,19 +17,26 @@ Motion::Motion(int channel_count, int frame_count, double frame_time_s, std::vec
   samples_.resize(idx(channel_count) * idx(frame_count));
 }
 
-void Motion::exchange_frames(FrameRange range, Motion& other) {
-  Motion taken(channel_count_, range.count, other.frame_time_s_);
-  Motion result(channel_count_, frame_count_ - range.count + other.frame_count_, frame_time_s_);
+Motion Motion::with_frames_replaced(FrameRange range, const Motion& inserted) const {
+  Motion result(channel_count_, frame_count_ - range.count + inserted.frame_count_, frame_time_s_);
   for (ChannelIndex c = 0; c < channel_count_; ++c) {
-    const std::span<const double> before = std::as_const(*this).channel_samples(c);
-    const std::span<const double> added = std::as_const(other).channel_samples(c);
-    std::copy_n(before.begin() + range.first, range.count, taken.channel_samples(c).begin());
+    const std::span<const double> before = channel_samples(c);
     auto out = std::copy_n(before.begin(), range.first, result.channel_samples(c).begin());
-    out = std::copy(added.begin(), added.end(), out);
+    if (inserted.frame_count_ > 0) {
+      const std::span<const double> added = inserted.channel_samples(c);
+      out = std::copy(added.begin(), added.end(), out);
+    }
     std::copy(before.begin() + range.end(), before.end(), out);
   }
-  *this = std::move(result);
-  other = std::move(taken);
+  return result;
+}
+
+Motion Motion::frames_of(FrameRange range) const {
+  Motion result(channel_count_, range.count, frame_time_s_);
+  for (ChannelIndex c = 0; c < channel_count_; ++c) {
+    std::copy_n(channel_samples(c).begin() + range.first, range.count, result.channel_samples(c).begin());
+  }
+  return result;
 }
 
 double display_frame_rate_hz(double frame_time_s) {

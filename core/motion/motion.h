@@ -32,9 +32,11 @@ class Motion {
   [[nodiscard]] std::span<double> channel_samples(ChannelIndex channel) {
     return std::span(samples_).subspan(idx(channel) * idx(frame_count_), idx(frame_count_));
   }
-  /// Exchanges the frames of `range`, which lies within the motion, with those of `other`, which may be none and has as
-  /// many channels: `other` holds what was there. Frame times stay.
-  void exchange_frames(FrameRange range, Motion& other);
+  /// The motion in which the frames of `range`, which lies within it, have given way to those of `inserted`, which may be
+  /// none and has as many channels. The frame time stays.
+  [[nodiscard]] Motion with_frames_replaced(FrameRange range, const Motion& inserted) const;
+  /// The frames of `range` alone, which lies within the motion.
+  [[nodiscard]] Motion frames_of(FrameRange range) const;
   /// All samples, channel after channel.
   [[nodiscard]] std::span<const double> samples() const { return samples_; }
 

@@ -21,7 +21,10 @@ int end_site_ordinal(const Skeleton& skeleton, NodeIndex node) {
 }  // namespace
 
 void Skeleton::read_names_in(CharacterSet set) {
-  for (Node& node : nodes_) node.name = decoded(trimmed(node.name_bytes), set);
+  std::vector<std::string> names;
+  names.reserve(nodes_.size());
+  for (const Node& node : nodes_) names.push_back(decoded(trimmed(node.name_bytes), set));
+  for (std::size_t i = 0; i < names.size(); ++i) nodes_[i].name = std::move(names[i]);
 }
 
 std::vector<std::string_view> name_bytes_of(const Skeleton& skeleton) {

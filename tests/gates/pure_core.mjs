@@ -8,7 +8,7 @@ const forbidden = [
   /\b(emscripten_|EM_JS|EM_ASM|ImGui::)/,
   /\bv?[fs]?n?printf\s*\(|\bfmt::print\b|\bputs\s*\(|\bstd::(cout|cerr|clog)\b/,
   /\b(abort|terminate|_?exit|quick_exit)\s*\(/,
-  /\bthrow\b/,
+  /\b(throw|catch)\b/,
 ];
 
 const withoutComments = (text) => text.replace(/\/\*[\s\S]*?\*\/|\/\/.*$/gm, (comment) => comment.replace(/[^\n]/g, ""));
@@ -30,5 +30,5 @@ export function check(files) {
 }
 
 const seedLines = ["#include <emscripten.h>", "#include <GLES3/gl3.h>", '#include "imgui.h"', "#include <thread>", "#include <fstream>",
-  "#include <iostream>", "#include <chrono>", "#ifdef __EMSCRIPTEN__", 'printf("x");', 'std::fprintf(stderr, "x");', "std::abort();", "throw 1;"];
+  "#include <iostream>", "#include <chrono>", "#ifdef __EMSCRIPTEN__", 'printf("x");', 'std::fprintf(stderr, "x");', "std::abort();", "throw 1;", "} catch (...) {"];
 export const seeds = seedLines.map((line) => ({ path: "core/base/seed.cpp", text: `${line}\n` }));

@@ -124,7 +124,8 @@ TEST(StrictReading, HasATestForEveryRepair) {
   // Refusals of any reading, Utf16Text, which has its own test, and what is found in tables.
   const std::set<Code> elsewhere = {Code::NotBvh, Code::EmptyFile, Code::UnsupportedEncoding, Code::Utf16Text,
                                     Code::MissingRoot, Code::LimitJoints, Code::LimitDepth, Code::LimitFrames,
-                                    Code::LimitMemory, Code::LimitChannels, Code::InvalidSkeleton, Code::InvalidArgument, Code::Cancelled,
+                                    Code::LimitMemory, Code::LimitChannels, Code::OutOfMemory, Code::InvalidSkeleton,
+                                    Code::InvalidArgument, Code::Cancelled,
                                     Code::TableHeader, Code::TableKind, Code::TableUnit, Code::TableColumnMissing,
                                     Code::TableColumnUnknown, Code::TableGap, Code::TableTimeUneven};
   std::set<Code> tested = elsewhere;
