@@ -5,78 +5,103 @@ mergeInto(LibraryManager.library, {
     return new TextDecoder().decode(HEAPU8.subarray(address, address + size));
   },
 
+  // What JavaScript throws passes through the program as an exception of its own, which the panel that asked can catch.
+  $mareyAsk: function (ask) {
+    try {
+      return ask(Module["host"]);
+    } catch (error) {
+      const words = new TextEncoder().encode(String(error));
+      const address = _malloc(words.length + 1);
+      if (address !== 0) HEAPU8.set(words, address);
+      _marey_throw(address, words.length);
+    }
+  },
+
+  marey_host_ask_for_file__deps: ["$mareyAsk"],
   marey_host_ask_for_file: function () {
-    Module["host"].askForFile();
+    mareyAsk((host) => host.askForFile());
   },
 
-  marey_host_download__deps: ["$mareyText"],
+  marey_host_download__deps: ["$mareyAsk", "$mareyText"],
   marey_host_download: function (name, nameSize, bytes, byteCount) {
-    Module["host"].download(mareyText(name, nameSize), HEAPU8.slice(bytes, bytes + byteCount));
+    mareyAsk((host) => host.download(mareyText(name, nameSize), HEAPU8.slice(bytes, bytes + byteCount)));
   },
 
-  marey_host_load_sample__deps: ["$mareyText"],
+  marey_host_load_sample__deps: ["$mareyAsk", "$mareyText"],
   marey_host_load_sample: function (id, idSize) {
-    Module["host"].loadSample(mareyText(id, idSize));
+    mareyAsk((host) => host.loadSample(mareyText(id, idSize)));
   },
 
+  marey_host_stop_loading__deps: ["$mareyAsk"],
   marey_host_stop_loading: function () {
-    Module["host"].stopLoading();
+    mareyAsk((host) => host.stopLoading());
   },
 
-  marey_host_set_clipboard_text__deps: ["$mareyText"],
+  marey_host_set_clipboard_text__deps: ["$mareyAsk", "$mareyText"],
   marey_host_set_clipboard_text: function (text, textSize) {
-    Module["host"].setClipboardText(mareyText(text, textSize));
+    mareyAsk((host) => host.setClipboardText(mareyText(text, textSize)));
   },
 
-  marey_host_set_document_state__deps: ["$mareyText"],
+  marey_host_set_document_state__deps: ["$mareyAsk", "$mareyText"],
   marey_host_set_document_state: function (name, nameSize, dirty) {
-    Module["host"].setDocumentState(mareyText(name, nameSize), dirty !== 0);
+    mareyAsk((host) => host.setDocumentState(mareyText(name, nameSize), dirty !== 0));
   },
 
-  marey_host_announce__deps: ["$mareyText"],
+  marey_host_announce__deps: ["$mareyAsk", "$mareyText"],
   marey_host_announce: function (text, textSize) {
-    Module["host"].announce(mareyText(text, textSize));
+    mareyAsk((host) => host.announce(mareyText(text, textSize)));
   },
 
+  marey_host_report_fault__deps: ["$mareyAsk", "$mareyText"],
+  marey_host_report_fault: function (text, textSize) {
+    mareyAsk((host) => host.reportFault(mareyText(text, textSize)));
+  },
+
+  marey_host_draw_after__deps: ["$mareyAsk"],
   marey_host_draw_after: function (milliseconds) {
-    Module["host"].drawAfter(milliseconds);
+    mareyAsk((host) => host.drawAfter(milliseconds));
   },
 
-  marey_host_store_preferences__deps: ["$mareyText"],
+  marey_host_store_preferences__deps: ["$mareyAsk", "$mareyText"],
   marey_host_store_preferences: function (json, jsonSize) {
-    Module["host"].storePreferences(mareyText(json, jsonSize));
+    mareyAsk((host) => host.storePreferences(mareyText(json, jsonSize)));
   },
 
+  marey_host_load_preferences__deps: ["$mareyAsk"],
   marey_host_load_preferences: function (buffer, capacity) {
-    const bytes = new TextEncoder().encode(Module["host"].loadPreferences());
+    const bytes = new TextEncoder().encode(mareyAsk((host) => host.loadPreferences()));
     if (bytes.length <= capacity) HEAPU8.set(bytes, buffer);
     return bytes.length;
   },
 
+  marey_host_system_preferences__deps: ["$mareyAsk"],
   marey_host_system_preferences: function () {
-    const { dark, reducedMotion, appleKeys, coarsePointer } = Module["host"].systemPreferences();
+    const { dark, reducedMotion, appleKeys, coarsePointer } = mareyAsk((host) => host.systemPreferences());
     return (dark ? 1 : 0) | (reducedMotion ? 2 : 0) | (appleKeys ? 4 : 0) | (coarsePointer ? 8 : 0);
   },
 
-  marey_host_set_mouse_cursor__deps: ["$mareyText"],
+  marey_host_set_mouse_cursor__deps: ["$mareyAsk", "$mareyText"],
   marey_host_set_mouse_cursor: function (cssCursor, cssCursorSize) {
-    Module["host"].setMouseCursor(mareyText(cssCursor, cssCursorSize));
+    mareyAsk((host) => host.setMouseCursor(mareyText(cssCursor, cssCursorSize)));
   },
 
-  marey_host_open_link__deps: ["$mareyText"],
+  marey_host_open_link__deps: ["$mareyAsk", "$mareyText"],
   marey_host_open_link: function (url, urlSize) {
-    Module["host"].openLink(mareyText(url, urlSize));
+    mareyAsk((host) => host.openLink(mareyText(url, urlSize)));
   },
 
+  marey_host_measure_letter__deps: ["$mareyAsk"],
   marey_host_measure_letter: function (codePoint, em, weight) {
-    return Module["host"].measureLetter(codePoint, em, weight);
+    return mareyAsk((host) => host.measureLetter(codePoint, em, weight));
   },
 
+  marey_host_draw_letter__deps: ["$mareyAsk"],
   marey_host_draw_letter: function (codePoint, em, weight, side, penX, penY, coverage) {
-    HEAPU8.set(Module["host"].drawLetter(codePoint, em, weight, { side, penX, penY }), coverage);
+    HEAPU8.set(mareyAsk((host) => host.drawLetter(codePoint, em, weight, { side, penX, penY })), coverage);
   },
 
+  marey_host_set_text_input__deps: ["$mareyAsk"],
   marey_host_set_text_input: function (wanted, cssX, cssY, cssHeight) {
-    Module["host"].setTextInput(wanted !== 0, cssX, cssY, cssHeight);
+    mareyAsk((host) => host.setTextInput(wanted !== 0, cssX, cssY, cssHeight));
   },
 });

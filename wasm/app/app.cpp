@@ -6,6 +6,7 @@
 
 #include "wasm/app/app_parts.h"
 #include "wasm/app/builtin_commands.h"
+#include "wasm/app/faults.h"
 #include "wasm/app/opening.h"
 
 namespace marey::app {
@@ -36,6 +37,12 @@ void add_all_commands(AppParts& parts) {
   parts.shell.add_commands(parts.commands, parts.workspace, parts.time_window);
 }
 
+Message failure_message(const Command& command, const Fault& fault) {
+  std::string title = CommandRegistry::label_of(command) + " could not be done";
+  std::string detail = fault.out_of_memory ? out_of_memory("it").message : fault.details + ".";
+  return {MessageKind::Error, std::move(title), detail + " The clip is as it was.", ""};
+}
+
 }  // namespace
 
 App::App(Backend& backend, const FontFiles& fonts) {
@@ -46,18 +53,24 @@ App::App(Backend& backend, const FontFiles& fonts) {
   workspace.preferences = parts_->known_preferences = read_preferences(parts_->stored_preferences);
   workspace.overlay = workspace.preferences.welcome_seen ? Overlay::None : Overlay::Welcome;
   add_all_commands(*parts_);
+  parts_->commands.set_failed([&workspace](const Command& command, const Fault& fault) {
+    const Message message = failure_message(command, fault);
+    workspace.messages.add(message);
+    workspace.backend.announce(message.title + ". " + message.detail);
+  });
 }
 
 App::~App() = default;
 
 Status App::open_file(std::string file_name, std::string_view bytes) {
-  begin_loading(std::move(file_name), static_cast<std::int64_t>(bytes.size()));
+  if (Status begun = begin_loading(std::move(file_name), static_cast<std::int64_t>(bytes.size())); !begun) return begun;
   feed_loading(bytes);
   return finish_loading();
 }
 
-void App::begin_loading(std::string file_name, std::int64_t size) {
-  app::begin_loading(parts_->workspace, std::move(file_name), size);
+Status App::begin_loading(std::string file_name, std::int64_t size) {
+  parts_->settling_frames = kFramesToSettle;
+  return app::begin_loading(parts_->workspace, std::move(file_name), size);
 }
 
 bool App::feed_loading(std::string_view bytes) { return app::feed_loading(parts_->workspace, bytes); }

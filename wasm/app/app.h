@@ -35,16 +35,18 @@ class App {
   App(const App&) = delete;
   App& operator=(const App&) = delete;
 
-  /// Opens a file. On an error the open document stays as it was and the message is shown in the page.
+  /// Opens a file. On an error, OutOfMemory among them, the open document stays as it was and the message is shown in
+  /// the page.
   Status open_file(std::string file_name, std::string_view bytes);
   /// The same by pieces; see wasm/app/opening.h.
-  void begin_loading(std::string file_name, std::int64_t size);
+  Status begin_loading(std::string file_name, std::int64_t size);
   bool feed_loading(std::string_view bytes);
   Status finish_loading();
   void cancel_loading();
 
   /// Runs one frame between ImGui::NewFrame and ImGui::Render, both of which it calls. Returns true when a further
-  /// frame is wanted without input (playing, animating, settling).
+  /// frame is wanted without input (playing, animating, settling). What a panel throws is shown in its place; throws what
+  /// stands in the way of two frames in turn.
   bool frame(const WindowSize& window, double now_s);
 
   /// What the last frame took, drawing included; for the performance card.
@@ -64,6 +66,8 @@ class App {
   [[nodiscard]] Session& session();
 
  private:
+  void draw_frame();
+
   std::unique_ptr<AppParts> parts_;
 };
 

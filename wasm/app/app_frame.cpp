@@ -2,6 +2,9 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "wasm/app/app_parts.h"
 #include "wasm/app/opening.h"
@@ -160,6 +163,15 @@ void store_preferences(AppParts& parts) {
   parts.stored_preferences = std::move(written);
 }
 
+// A frame that fails between the panels is told and drawn again; what fails for good is for the page to say.
+void follow_fault(AppParts& parts, const std::optional<Fault>& fault) {
+  const bool failed_before = std::exchange(parts.last_frame_failed, fault.has_value());
+  if (!fault) return;
+  if (failed_before) throw std::runtime_error(fault->details);
+  parts.workspace.backend.report_fault("A frame could not be drawn: " + fault->details);
+  parts.redraw = true;
+}
+
 bool same_hover(const Hover& a, const Hover& b) { return a.joint == b.joint && a.channel == b.channel; }
 
 bool is_input_waiting() { return ImGui::GetCurrentContext()->InputEventsQueue.Size > 0; }
@@ -202,6 +214,17 @@ void App::note_cost(const FrameCost& cost) {
   performance.memory = workspace.backend.memory();
 }
 
+void App::draw_frame() {
+  AppParts& parts = *parts_;
+  follow_pointer_kind(parts);
+  begin_views(parts);
+  if (!parts.commands.run_pressed_shortcut().empty()) parts.settling_frames = kFramesToSettle;
+  follow_escape(parts);
+  draw_window(parts);
+  if (!ImGui::GetIO().NavVisible && !is_menu_open()) keep_navigation_keys_for_shortcuts();
+  report_to_page(parts);
+}
+
 bool App::frame(const WindowSize& window, double now_s) {
   AppParts& parts = *parts_;
   Workspace& workspace = parts.workspace;
@@ -214,14 +237,9 @@ bool App::frame(const WindowSize& window, double now_s) {
   update_window(parts, window, elapsed_s);
   update_theme(parts);
   ImGui::NewFrame();
-  follow_pointer_kind(parts);
-  begin_views(parts);
-  if (!parts.commands.run_pressed_shortcut().empty()) parts.settling_frames = kFramesToSettle;
-  follow_escape(parts);
-  draw_window(parts);
-  if (!ImGui::GetIO().NavVisible && !is_menu_open()) keep_navigation_keys_for_shortcuts();
-  report_to_page(parts);
+  const std::optional<Fault> fault = draw_guarded([this] { draw_frame(); });
   ImGui::Render();
+  follow_fault(parts, fault);
 
   store_preferences(parts);
   return wants_more_frames(parts, playing);

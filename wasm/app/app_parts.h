@@ -39,6 +39,7 @@ struct AppParts {
   bool redraw = false;
   int settling_frames = 0;  ///< drawn after input without being asked, so that sizes and hovers come to rest
   double last_frame_s = -1.0;
+  bool last_frame_failed = false;
   Preferences known_preferences;  ///< as they were when last stored
   std::string stored_preferences;
   std::string mouse_cursor;

@@ -57,7 +57,15 @@ nlohmann::json CommandRegistry::run(std::string_view id, const nlohmann::json& a
   const Command* command = find(id);
   if (command == nullptr) return {{"error", "There is no command \"" + std::string(id) + "\"."}};
   if (const std::string reason = blocked_reason(*command); !reason.empty()) return {{"error", reason}};
-  return command->run(args);
+  return run_guarded(*command, args);
+}
+
+nlohmann::json CommandRegistry::run_guarded(const Command& command, const nlohmann::json& args) {
+  nlohmann::json answer;
+  const std::optional<Fault> fault = catch_fault([&] { answer = command.run(args); });
+  if (!fault) return answer;
+  if (failed_) failed_(command, *fault);
+  return {{"error", fault->out_of_memory ? out_of_memory("this command").message : fault->details}};
 }
 
 std::string CommandRegistry::label_of(const Command& command) {
@@ -79,7 +87,7 @@ std::string CommandRegistry::run_pressed_shortcut() {
   for (const Command& command : commands_) {
     if (!is_enabled(command) || !is_pressed(command, io.NavVisible)) continue;
     const std::string id = command.id;
-    command.run(nullptr);
+    run_guarded(command, nullptr);
     return id;
   }
   return {};

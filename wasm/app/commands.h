@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "wasm/app/faults.h"
+
 namespace marey::app {
 
 /// One thing the user can do. Menus, shortcuts, the palette, buttons, the page's JavaScript API and the tests all run
@@ -41,7 +43,12 @@ class CommandRegistry {
   [[nodiscard]] const Command* find(std::string_view id) const;
   [[nodiscard]] const std::vector<Command>& all() const { return commands_; }
 
-  /// Runs a command by id. {"error": ...} for an unknown id or a blocked command; else what the command returns.
+  /// Hears of commands that threw, as of one that has no memory; what was thrown goes no further.
+  using Failed = std::function<void(const Command& command, const Fault& fault)>;
+  void set_failed(Failed failed) { failed_ = std::move(failed); }
+
+  /// Runs a command by id. {"error": ...} for an unknown id, a blocked command or one that threw; else what the command
+  /// returns.
   nlohmann::json run(std::string_view id, const nlohmann::json& args = nullptr);
 
   [[nodiscard]] static std::string label_of(const Command& command);
@@ -54,7 +61,10 @@ class CommandRegistry {
   std::string run_pressed_shortcut();
 
  private:
+  nlohmann::json run_guarded(const Command& command, const nlohmann::json& args);
+
   std::vector<Command> commands_;
+  Failed failed_;
 };
 
 }  // namespace marey::app

@@ -19,13 +19,21 @@ FileLoading::FileLoading(std::string file_name, std::int64_t size) : file_name_(
 }
 
 bool FileLoading::feed(std::string_view bytes) {
+  if (failure_) return false;
   fed_bytes_ += static_cast<std::int64_t>(bytes.size());
   if (reader_) return reader_->feed(bytes);
   table_ += bytes;
   return true;
 }
 
+void FileLoading::give_up(Error error) {
+  reader_.reset();
+  table_ = {};
+  failure_ = std::move(error);
+}
+
 Result<BvhClip> FileLoading::finish(const Document* open_document) {
+  if (failure_) return *failure_;
   return reader_ ? reader_->finish() : read_opened_table(table_, open_document);
 }
 

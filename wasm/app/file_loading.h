@@ -23,6 +23,8 @@ class FileLoading {
 
   /// False once the file cannot be read; finish() says why.
   bool feed(std::string_view bytes);
+  /// Reads no more and gives the memory back; finish() gives this error.
+  void give_up(Error error);
   /// Call once, when all bytes are fed. `open_document` and errors: as in read_opened_file().
   [[nodiscard]] Result<BvhClip> finish(const Document* open_document);
   /// After finish() gave a clip: of each of its diagnostics.
@@ -46,6 +48,7 @@ class FileLoading {
   int shown_frames_ = 0;
   std::optional<StreamReader> reader_;  ///< none for a table
   std::string table_;
+  std::optional<Error> failure_;
 };
 
 }  // namespace marey::app

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "wasm/app/faults.h"
 #include "wasm/app/samples.h"
 #include "wasm/app/widgets.h"
 
@@ -59,27 +60,65 @@ void open_clip(Workspace& workspace, BvhClip clip) {
   const std::unique_ptr<FileLoading> loading = std::move(workspace.loading);
   Session opened = Session::open(std::move(clip), loading->file_name());
   opened.excerpts = loading->take_excerpts();
+  // The root is selected, so that the first thing the curve editor shows is curves.
+  opened.selection.select_only(0);
+  Messages messages;
+  if (const Document& kept = workspace.whole_document(); kept.is_dirty()) messages.add(kept_message(kept));
+  std::string notice = opened_text(opened);
   workspace.open(std::move(opened));
-  workspace.messages.clear();
-  if (workspace.previous) workspace.messages.add(kept_message(workspace.previous->document));
+  // From here on it is open: nothing takes memory to speak of.
+  workspace.messages = std::move(messages);
   leave_welcome(workspace, loading->file_name());
-  Session& session = workspace.session;
   if (!workspace.keeps_view) {
-    // The root is selected, so that the first thing the curve editor shows is curves.
-    session.selection.select_only(0);
-    session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
+    workspace.session.playback.set_playing(workspace.overlay == Overlay::Welcome && workspace.has_frames());
   }
-  workspace.notify(opened_text(session));
+  workspace.notify(std::move(notice));
+}
+
+Status finish_and_open(Workspace& workspace) {
+  const Document& whole = workspace.whole_document();
+  Result<BvhClip> clip = workspace.loading->finish(whole.skeleton().joint_count() > 0 ? &whole : nullptr);
+  if (!clip) return clip.error();
+  open_clip(workspace, std::move(clip.value()));
+  return {};
+}
+
+std::string reading(const std::string& file_name) { return "reading " + ui::displayable(file_name); }
+
+// A part for which there is no room is not shown: the whole is what counts.
+void show_news(Workspace& workspace) {
+  FileLoading& loading = *workspace.loading;
+  (void)catch_fault([&] {
+    std::optional<BvhClip> clip = loading.take_news();
+    if (!clip) return;
+    leave_welcome(workspace, loading.file_name());
+    workspace.show_loaded_part(Session::open(std::move(*clip), loading.file_name()));
+  });
 }
 
 }  // namespace
 
-void begin_loading(Workspace& workspace, std::string file_name, std::int64_t size) {
+Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size) {
   workspace.cancel_loading();
-  workspace.loading = std::make_unique<FileLoading>(std::move(file_name), size);
+  Status begun = with_memory_for(reading(file_name), [&]() -> Status {
+    workspace.loading = std::make_unique<FileLoading>(file_name, size);
+    return {};
+  });
+  if (!begun) refuse(workspace, file_name, begun.error());
+  return begun;
 }
 
-bool feed_loading(Workspace& workspace, std::string_view bytes) { return workspace.loading && workspace.loading->feed(bytes); }
+bool feed_loading(Workspace& workspace, std::string_view bytes) {
+  if (!workspace.loading) return false;
+  FileLoading& loading = *workspace.loading;
+  bool wants_more = false;
+  const Status fed = with_memory_for(reading(loading.file_name()), [&]() -> Status {
+    wants_more = loading.feed(bytes);
+    return {};
+  });
+  if (!fed) loading.give_up(fed.error());
+  return fed && wants_more;
+}
 
 void follow_loading(Workspace& workspace) {
   if (!workspace.loading) return;
@@ -88,23 +127,15 @@ void follow_loading(Workspace& workspace) {
     loading.begun_s = workspace.now_s;
     workspace.backend.draw_after(FileLoading::kPatience_s + 0.02);
   }
-  if (workspace.now_s - *loading.begun_s < FileLoading::kPatience_s) return;
-  if (std::optional<BvhClip> clip = loading.take_news()) {
-    leave_welcome(workspace, loading.file_name());
-    workspace.show_loaded_part(Session::open(std::move(*clip), loading.file_name()));
-  }
+  if (workspace.now_s - *loading.begun_s >= FileLoading::kPatience_s) show_news(workspace);
 }
 
 Status finish_loading(Workspace& workspace) {
   if (!workspace.loading) return Error{DiagnosticCode::Cancelled, {}, "Reading the file was stopped.", "", ""};
-  const Document& whole = workspace.whole_document();
-  Result<BvhClip> clip = workspace.loading->finish(whole.skeleton().joint_count() > 0 ? &whole : nullptr);
-  if (!clip) {
-    refuse(workspace, workspace.loading->file_name(), clip.error());
-    return clip.error();
-  }
-  open_clip(workspace, std::move(clip.value()));
-  return {};
+  const std::string file_name = workspace.loading->file_name();
+  Status opened = with_memory_for(reading(file_name), [&] { return finish_and_open(workspace); });
+  if (!opened) refuse(workspace, file_name, opened.error());
+  return opened;
 }
 
 }  // namespace marey::app

@@ -9,8 +9,9 @@
 
 namespace marey::app {
 
-/// Begins to read a file; one that is still being read is given up. `size`: its bytes, 0 if nobody knows.
-void begin_loading(Workspace& workspace, std::string file_name, std::int64_t size);
+/// Begins to read a file; one that is still being read is given up. `size`: its bytes, 0 if nobody knows. Without memory for
+/// it the message is shown in the page.
+Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size);
 
 /// Reads the next bytes. False if no more are wanted: the file cannot be read, or reading
 /// was stopped.

@@ -15,7 +15,7 @@ constexpr float kSplitterReach = 8.0f;
 enum Edge : unsigned { kNoEdge = 0, kTop = 1, kLeft = 2, kRight = 4 };
 
 struct Place {
-  const char* name;
+  const char* id;
   const Region& region;
   ImU32 ground;  ///< 0: what lies behind shows through
   unsigned edges = kNoEdge;
@@ -39,13 +39,18 @@ void draw_region(const ViewContext& context, const Place& place, const Draw& dra
   ImGui::GetWindowDrawList()->AddRectFilled(region.min, region.max, place.ground);
   ImGui::SetCursorScreenPos(region.min);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-  ImGui::BeginChild(place.name, ImVec2(region.width(), region.height()), ImGuiChildFlags_NavFlattened,
+  ImGui::BeginChild(place.id, ImVec2(region.width(), region.height()), ImGuiChildFlags_NavFlattened,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   draw();
   draw_edges(context, place);
   ImGui::SetCursorScreenPos(region.min);  // the view may have left the cursor anywhere; its region is what it is
   ImGui::EndChild();
+}
+
+void draw_panel(ViewContext& context, PanelGuards& guards, const Place& place, std::string_view name,
+                const std::function<void()>& draw) {
+  draw_region(context, place, [&] { guards.draw(context, place.id, name, draw); });
 }
 
 struct Splitter {
@@ -121,29 +126,38 @@ void Shell::document_opened() {
   viewport_.document_opened();
 }
 
+void Shell::draw_bars(ViewContext& context, Workspace& workspace, const Layout& layout) {
+  const ImU32 panel = context.theme.panel;
+  draw_panel(context, guards_, {"title", layout.title, panel}, "title bar", [&] { title_bar_.draw(context, layout.compact); });
+  draw_strips(context, workspace, layout.messages);
+  draw_panel(context, guards_, {"sheets", layout.sheet_header, panel, kTop}, "tabs", [&] { draw_sheet_tabs(context); });
+}
+
 void Shell::draw_strips(ViewContext& context, Workspace& workspace, const Region& region) {
   const ImU32 panel = context.theme.panel;
   const float border = region.min.y + loading_strip_.height(context, workspace.loading.get());
   const Region loading{region.min, ImVec2(region.max.x, std::min(border, region.max.y))};
   const Region messages{ImVec2(region.min.x, border), region.max};
-  draw_region(context, {"loading", loading, panel, kTop}, [&] { loading_strip_.draw(context, *workspace.loading); });
-  draw_region(context, {"messages", messages, panel, kTop}, [&] { message_strip_.draw(context, workspace.messages); });
+  draw_panel(context, guards_, {"loading", loading, panel, kTop}, "progress",
+             [&] { loading_strip_.draw(context, *workspace.loading); });
+  draw_panel(context, guards_, {"messages", messages, panel, kTop}, "messages",
+             [&] { message_strip_.draw(context, workspace.messages); });
 }
 
 void Shell::draw_side_panels(ViewContext& context, const Layout& layout) {
   const ImU32 panel = context.theme.panel;
   const unsigned side = layout.compact ? kNoEdge : kTop;
-  draw_region(context, {"outliner", layout.outliner, panel, layout.compact ? side : side | kRight},
-              [&] { outliner_.draw(context); });
-  draw_region(context, {"inspector", layout.inspector, panel, layout.compact ? side : side | kLeft},
-              [&] { inspector_.draw(context); });
+  draw_panel(context, guards_, {"outliner", layout.outliner, panel, layout.compact ? side : side | kRight}, "list of joints",
+             [&] { outliner_.draw(context); });
+  draw_panel(context, guards_, {"inspector", layout.inspector, panel, layout.compact ? side : side | kLeft}, "inspector",
+             [&] { inspector_.draw(context); });
 }
 
 void Shell::draw_time_panels(ViewContext& context, const Layout& layout) {
   const ImU32 panel = context.theme.panel;
-  draw_region(context, {"transport", layout.transport, panel, kTop}, [&] { transport_.draw(context); });
-  draw_region(context, {"ruler", layout.ruler, panel, kTop}, [&] { timeline_.draw(context); });
-  draw_region(context, {"curves", layout.curves, panel}, [&] { curves_.draw(context); });
+  draw_panel(context, guards_, {"transport", layout.transport, panel, kTop}, "transport", [&] { transport_.draw(context); });
+  draw_panel(context, guards_, {"ruler", layout.ruler, panel, kTop}, "ruler", [&] { timeline_.draw(context); });
+  draw_panel(context, guards_, {"curves", layout.curves, panel}, "curve editor", [&] { curves_.draw(context); });
 }
 
 Layout Shell::lay_out(ViewContext& context, Workspace& workspace) {
@@ -165,24 +179,29 @@ Layout Shell::lay_out(ViewContext& context, Workspace& workspace) {
                          .preferences = &workspace.preferences});
 }
 
+void Shell::tell_faults(Workspace& workspace) {
+  for (const PanelGuards::Report& report : guards_.take_reports()) {
+    workspace.backend.report_fault(report.sentence + " " + report.details);
+    workspace.notify(report.sentence);
+  }
+}
+
 void Shell::draw(ViewContext& context, Workspace& workspace, Scene& scene) {
   Preferences& preferences = workspace.preferences;
   const Layout layout = lay_out(context, workspace);
   if (workspace.problems_wanted) inspector_.show(InspectorView::Page::Problems);
   workspace.problems_wanted = false;
 
-  const ImU32 panel = context.theme.panel;
-  draw_region(context, {"title", layout.title, panel}, [&] { title_bar_.draw(context, layout.compact); });
-  draw_strips(context, workspace, layout.messages);
+  draw_bars(context, workspace, layout);
   draw_side_panels(context, layout);
   draw_time_panels(context, layout);
-  draw_region(context, {"sheets", layout.sheet_header, panel, kTop}, [&] { draw_sheet_tabs(context); });
-  draw_region(context, {"viewport", layout.viewport, 0, kTop}, [&] {
+  draw_panel(context, guards_, {"viewport", layout.viewport, 0, kTop}, "view of the figure", [&] {
     viewport_.draw(context, scene);
     if (!preferences.options.show_performance) return;
     draw_performance_card(context, workspace.performance, layout.viewport.min, {layout.viewport.width(), layout.viewport.height()});
   });
   draw_splitters(context, layout, preferences.sizes);
+  tell_faults(workspace);
 }
 
 }  // namespace marey::app

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wasm/app/layout.h"
+#include "wasm/app/panel_guards.h"
 #include "wasm/app/transition.h"
 #include "wasm/app/view_context.h"
 #include "wasm/app/workspace.h"
@@ -34,12 +35,16 @@ class Shell {
   void add_commands(CommandRegistry& registry, Workspace& workspace, TimeWindow& time_window);
 
  private:
+  void draw_bars(ViewContext& context, Workspace& workspace, const Layout& layout);
   void draw_strips(ViewContext& context, Workspace& workspace, const Region& region);
   void draw_side_panels(ViewContext& context, const Layout& layout);
   void draw_time_panels(ViewContext& context, const Layout& layout);
+  void draw_overlay(ViewContext& context, Overlay overlay, bool& open);
+  void tell_faults(Workspace& workspace);
 
   Layout lay_out(ViewContext& context, Workspace& workspace);
 
+  PanelGuards guards_;
   Transition outliner_opening_;
   Transition inspector_opening_;
   Transition curves_opening_;

@@ -37,8 +37,8 @@ void Workspace::show_loaded_part(Session part) {
   if (before_loading) {
     follow(session, part);
   } else {
-    before_loading = std::move(session);
     part.selection.select_only(0);
+    before_loading = std::move(session);
   }
   session = std::move(part);
 }

@@ -1,5 +1,7 @@
 #include <emscripten/emscripten.h>
+#include <malloc.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -42,9 +44,13 @@ void compute_one_frame(ModuleClip& clip, int frame) {
 }  // namespace
 
 /// The functions that web/module/marey.ts calls. Text comes in as address and size in bytes, in memory from malloc that
-/// the caller releases; what goes out stays at the returned address until the next call with the same clip.
+/// the caller releases; what goes out stays at the returned address until the next call with the same clip. Without memory
+/// for it a call throws std::bad_alloc, which JavaScript sees as a WebAssembly.Exception.
 /// Indices are in range: the caller checks them.
 extern "C" {
+
+/// Bytes of the program's memory that are taken.
+EMSCRIPTEN_KEEPALIVE size_t marey_used_memory() { return static_cast<size_t>(mallinfo().uordblks); }
 
 EMSCRIPTEN_KEEPALIVE void marey_clip_dispose(ModuleClip* clip) { delete clip; }
 

@@ -1,5 +1,6 @@
 #include <emscripten/emscripten.h>
 
+#include <memory>
 #include <string_view>
 
 #include "core/interchange/export.h"
@@ -24,11 +25,11 @@ extern "C" {
 
 /// As marey_reader_finish. `figure`: the clip whose channels the table has, null for a table of points.
 EMSCRIPTEN_KEEPALIVE ModuleClip* marey_clip_parse_table(const char* text, size_t size, int strict, const ModuleClip* figure) {
-  auto* clip = new ModuleClip;
+  auto clip = std::make_unique<ModuleClip>();
   const std::string_view table(text, size);
   const marey::TableOptions options{.strict = strict != 0, .limits = {}};
   take_read(*clip, figure != nullptr ? read_channel_table(table, figure->bvh, options) : read_points_table(table, options));
-  return clip;
+  return clip.release();
 }
 
 /// Leaves the table as the clip's text. `length_unit` may be empty.

@@ -1,5 +1,6 @@
 #include <emscripten/emscripten.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -64,17 +65,17 @@ EMSCRIPTEN_KEEPALIVE ModuleClip* marey_reader_clip_so_far(const ModuleReader* re
   const auto frames = static_cast<std::int64_t>(most_frames);
   std::optional<marey::BvhClip> so_far = reader->reader.clip_so_far(frames * reader->reader.channel_count());
   if (!so_far) return nullptr;
-  auto* clip = new ModuleClip;
+  auto clip = std::make_unique<ModuleClip>();
   take_read(*clip, std::move(*so_far));
-  return clip;
+  return clip.release();
 }
 
 /// Never null; marey_clip_is_open tells whether the file could be read. The reader is only good for being disposed of then.
 EMSCRIPTEN_KEEPALIVE ModuleClip* marey_reader_finish(ModuleReader* reader) {
   reader->piece = {};
-  auto* clip = new ModuleClip;
+  auto clip = std::make_unique<ModuleClip>();
   take_read(*clip, reader->reader.finish());
-  return clip;
+  return clip.release();
 }
 
 EMSCRIPTEN_KEEPALIVE void marey_reader_dispose(ModuleReader* reader) { delete reader; }

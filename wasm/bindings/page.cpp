@@ -1,12 +1,18 @@
 #include <emscripten/emscripten.h>
+#include <malloc.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "wasm/app/faults.h"
 #include "wasm/bindings/page_binding.h"
 
 namespace {
 
+using marey::Result;
 using marey::Status;
 using nlohmann::json;
 
@@ -15,19 +21,36 @@ void set_result(PageBinding& binding, const json& value) {
   binding.result = value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-/// 1 for success; for an error 0, and the error as JSON in the result.
-int report(PageBinding& binding, const Status& status) {
-  binding.result.clear();
-  if (status) return 1;
-  const marey::Error& error = status.error();
-  set_result(binding, {{"code", marey::diagnostic_id(error.code)},
-                       {"message", error.message},
-                       {"line", error.place.line},
-                       {"column", error.place.column}});
-  return 0;
+json described(const marey::Error& error) {
+  return {{"code", marey::diagnostic_id(error.code)},
+          {"message", error.message},
+          {"line", error.place.line},
+          {"column", error.place.column}};
+}
+
+Result<json> described(const Status& status) {
+  if (!status) return status.error();
+  return json();
+}
+
+json described(const marey::app::Fault& fault) {
+  if (fault.out_of_memory) return described(marey::app::out_of_memory("it"));
+  return {{"code", "internal_error"}, {"message", fault.details}, {"line", 0}, {"column", 0}};
 }
 
 }  // namespace
+
+int answer(PageBinding& binding, const std::function<Result<json>()>& call) {
+  bool succeeded = false;
+  const std::optional<marey::app::Fault> fault = marey::app::catch_fault([&] {
+    const Result<json> result = call();
+    succeeded = result.has_value();
+    set_result(binding, succeeded ? *result : described(result.error()));
+  });
+  if (!fault) return succeeded ? 1 : 0;
+  set_result(binding, described(*fault));
+  return 0;
+}
 
 extern "C" {
 
@@ -44,7 +67,7 @@ EMSCRIPTEN_KEEPALIVE void marey_add_font(PageBinding* binding, int role, const s
 }
 
 EMSCRIPTEN_KEEPALIVE int marey_start(PageBinding* binding) {
-  const int started = report(*binding, binding->page.start(binding->fonts));
+  const int started = answer(*binding, [&] { return described(binding->page.start(binding->fonts)); });
   binding->fonts = {};
   return started;
 }
@@ -53,26 +76,37 @@ EMSCRIPTEN_KEEPALIVE void marey_resize(PageBinding* binding, float css_width, fl
   binding->page.resize({css_width, css_height, device_pixel_ratio});
 }
 
-/// 1 when a further frame is wanted without new input.
-EMSCRIPTEN_KEEPALIVE int marey_frame(PageBinding* binding, double now_ms) { return binding->page.frame(now_ms) ? 1 : 0; }
+/// 1 when a further frame is wanted without new input, else 0; -1 with the error as the result when the program cannot go
+/// on.
+EMSCRIPTEN_KEEPALIVE int marey_frame(PageBinding* binding, double now_ms) {
+  binding->reserve.refill();
+  bool wants_more = false;
+  const int drawn = answer(*binding, [&]() -> Result<json> {
+    wants_more = binding->page.frame(now_ms);
+    return json();
+  });
+  return drawn == 0 ? -1 : static_cast<int>(wants_more);
+}
 
 EMSCRIPTEN_KEEPALIVE void marey_forget_letters(PageBinding* binding) { binding->page.forget_letters(); }
 
 EMSCRIPTEN_KEEPALIVE void marey_lose_context(PageBinding* binding) { binding->page.lose_context(); }
 
 EMSCRIPTEN_KEEPALIVE int marey_restore_context(PageBinding* binding) {
-  return report(*binding, binding->page.restore_context());
+  return answer(*binding, [&] { return described(binding->page.restore_context()); });
 }
 
 /// A file by pieces. `size`: its bytes, 0 if nobody knows.
-EMSCRIPTEN_KEEPALIVE void marey_begin_loading(PageBinding* binding, const char* name, size_t name_size, double size) {
-  binding->page.app().begin_loading(std::string(view_of(name, name_size)), static_cast<std::int64_t>(size));
+EMSCRIPTEN_KEEPALIVE int marey_begin_loading(PageBinding* binding, const char* name, size_t name_size, double size) {
+  return answer(*binding, [&] {
+    return described(binding->page.app().begin_loading(std::string(view_of(name, name_size)), static_cast<std::int64_t>(size)));
+  });
 }
 
 /// Where the next piece, of `size` bytes, is to be put; null if there is no memory for it.
 EMSCRIPTEN_KEEPALIVE char* marey_piece(PageBinding* binding, size_t size) {
-  if (binding->piece.size() < size) binding->piece.resize(size);
-  return binding->piece.data();
+  const auto make_room = [&] { binding->piece.resize(std::max(size, binding->piece.size())); };
+  return marey::app::catch_fault(make_room) ? nullptr : binding->piece.data();
 }
 
 /// Reads `size` bytes of the piece; 0 when no more are wanted.
@@ -82,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE int marey_feed(PageBinding* binding, size_t size) {
 
 EMSCRIPTEN_KEEPALIVE int marey_finish_loading(PageBinding* binding) {
   binding->piece = {};
-  return report(*binding, binding->page.app().finish_loading());
+  return answer(*binding, [&] { return described(binding->page.app().finish_loading()); });
 }
 
 EMSCRIPTEN_KEEPALIVE void marey_cancel_loading(PageBinding* binding) {
@@ -90,36 +124,61 @@ EMSCRIPTEN_KEEPALIVE void marey_cancel_loading(PageBinding* binding) {
   binding->page.app().cancel_loading();
 }
 
-EMSCRIPTEN_KEEPALIVE void marey_save(PageBinding* binding) { binding->result = binding->page.app().save_text(); }
+/// The result is the file's bytes.
+EMSCRIPTEN_KEEPALIVE int marey_save(PageBinding* binding) {
+  std::string text;
+  const int saved = answer(*binding, [&]() -> Result<json> {
+    text = binding->page.app().save_text();
+    return json();
+  });
+  if (saved != 0) binding->result = std::move(text);
+  return saved;
+}
 
-EMSCRIPTEN_KEEPALIVE void marey_state(PageBinding* binding) { set_result(*binding, binding->page.app().state()); }
+EMSCRIPTEN_KEEPALIVE int marey_state(PageBinding* binding) {
+  return answer(*binding, [&]() -> Result<json> { return binding->page.app().state(); });
+}
 
-EMSCRIPTEN_KEEPALIVE void marey_commands(PageBinding* binding) { set_result(*binding, binding->page.app().commands()); }
+EMSCRIPTEN_KEEPALIVE int marey_commands(PageBinding* binding) {
+  return answer(*binding, [&]() -> Result<json> { return binding->page.app().commands(); });
+}
 
-/// `args`: JSON text; empty for none. The result is JSON, {"error": ...} when the command is unknown or refused.
-EMSCRIPTEN_KEEPALIVE void marey_run_command(PageBinding* binding, const char* id, size_t id_size, const char* args,
-                                            size_t args_size) {
-  const json parsed = args_size == 0 ? json() : json::parse(view_of(args, args_size), nullptr, false);
-  if (parsed.is_discarded()) {
-    set_result(*binding, {{"error", "The arguments are not JSON."}});
-    return;
-  }
-  set_result(*binding, binding->page.app().run_command(view_of(id, id_size), parsed));
+/// `args`: JSON text; empty for none. The answer is {"error": ...} when the command is unknown or refused.
+EMSCRIPTEN_KEEPALIVE int marey_run_command(PageBinding* binding, const char* id, size_t id_size, const char* args,
+                                           size_t args_size) {
+  return answer(*binding, [&]() -> Result<json> {
+    const json parsed = args_size == 0 ? json() : json::parse(view_of(args, args_size), nullptr, false);
+    if (parsed.is_discarded()) return json{{"error", "The arguments are not JSON."}};
+    return binding->page.app().run_command(view_of(id, id_size), parsed);
+  });
+}
+
+/// Bytes of the program's memory that are taken.
+EMSCRIPTEN_KEEPALIVE size_t marey_used_memory() { return static_cast<size_t>(mallinfo().uordblks); }
+
+/// For web/host_library.js: carries an error of the page's JavaScript through the program. Takes `words` over; null
+/// where there was no memory for them.
+EMSCRIPTEN_KEEPALIVE void marey_throw(char* words, size_t size) {
+  const std::string text(words == nullptr ? std::string_view("an error of the page") : view_of(words, size));
+  std::free(words);
+  throw std::runtime_error(text);
 }
 
 /// The visible widgets in CSS pixels.
-EMSCRIPTEN_KEEPALIVE void marey_items(PageBinding* binding) {
-  const float scale = binding->page.app().css_per_unit();
-  json items = json::array();
-  for (const marey::app::UiItem& item : binding->page.app().items().list()) {
-    items.push_back({{"id", item.id},
-                     {"label", item.label},
-                     {"x", item.min.x * scale},
-                     {"y", item.min.y * scale},
-                     {"w", (item.max.x - item.min.x) * scale},
-                     {"h", (item.max.y - item.min.y) * scale}});
-  }
-  set_result(*binding, items);
+EMSCRIPTEN_KEEPALIVE int marey_items(PageBinding* binding) {
+  return answer(*binding, [&]() -> Result<json> {
+    const float scale = binding->page.app().css_per_unit();
+    json items = json::array();
+    for (const marey::app::UiItem& item : binding->page.app().items().list()) {
+      items.push_back({{"id", item.id},
+                       {"label", item.label},
+                       {"x", item.min.x * scale},
+                       {"y", item.min.y * scale},
+                       {"w", (item.max.x - item.min.x) * scale},
+                       {"h", (item.max.y - item.min.y) * scale}});
+    }
+    return items;
+  });
 }
 
 }  // extern "C"

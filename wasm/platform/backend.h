@@ -31,6 +31,8 @@ class Backend {
   void set_document_state(std::string_view file_name, bool dirty);
   /// Text for assistive technology (aria-live).
   void announce(std::string_view text);
+  /// An error of the program itself, for whoever is to mend it.
+  void report_fault(std::string_view text);
   /// Asks for a frame later, for what ends by itself while nothing else happens.
   void draw_after(double seconds);
   /// Keeps preferences (JSON text) between visits; silently none where the browser forbids it.

@@ -1,5 +1,7 @@
 #include "wasm/views/number_edit.h"
 
+#include "wasm/app/faults.h"
+
 namespace marey::app {
 
 void apply_number(ViewContext& context, const ui::NumberResult& result,
@@ -8,7 +10,9 @@ void apply_number(ViewContext& context, const ui::NumberResult& result,
   Status status;
   switch (result.event) {
     case ui::NumberEvent::Live:
-    case ui::NumberEvent::Committed: status = session.apply_gesture(result.gesture, make_edit); break;
+    case ui::NumberEvent::Committed:
+      status = with_memory_for("this change", [&] { return session.apply_gesture(result.gesture, make_edit); });
+      break;
     case ui::NumberEvent::Cancelled: session.cancel_gesture(result.gesture); break;
     case ui::NumberEvent::None: break;
   }

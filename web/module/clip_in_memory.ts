@@ -55,8 +55,8 @@ export class ClipInMemory implements Clip {
       throw new MareyError("invalid_argument", "The figure is a clip of the same module.");
     }
     const figureAt = figure === undefined ? 0 : figure.open();
-    return ClipInMemory.take(module, withBytes(module, bytes, (address) =>
-      module._marey_clip_parse_table(address, bytes.length, strict ? 1 : 0, figureAt)));
+    return ClipInMemory.take(module, withMemory(() => withBytes(module, bytes, (address) =>
+      module._marey_clip_parse_table(address, bytes.length, strict ? 1 : 0, figureAt))));
   }
 
   channel(index: number): Float64Array {
@@ -78,8 +78,10 @@ export class ClipInMemory implements Clip {
   worldPositions(first = 0, count = this.frameCount - first): Float32Array {
     const handle = this.open();
     this.checkRange(first, count, 0);
-    const start = this.module._marey_clip_world_positions(handle, first, count) / Float32Array.BYTES_PER_ELEMENT;
-    return this.module.HEAPF32.slice(start, start + count * this.nodeCount * 3);
+    return withMemory(() => {
+      const start = this.module._marey_clip_world_positions(handle, first, count) / Float32Array.BYTES_PER_ELEMENT;
+      return this.module.HEAPF32.slice(start, start + count * this.nodeCount * 3);
+    });
   }
 
   get positions(): PositionMeaning {
@@ -99,8 +101,10 @@ export class ClipInMemory implements Clip {
     const style = styleNumbers(decimals, lineEnds);
     const all = first === 0 && count === this.frameCount;
     if (!all) this.checkRange(first, count, 1);
-    this.module._marey_clip_write(handle, ...style, all ? 0 : first, all ? 0 : count);
-    return copyText(this.module, handle);
+    return withMemory(() => {
+      this.module._marey_clip_write(handle, ...style, all ? 0 : first, all ? 0 : count);
+      return copyText(this.module, handle);
+    });
   }
 
   writeTable(of: "channels" | "positions", options: WriteTableOptions = {}): Uint8Array {
@@ -114,9 +118,11 @@ export class ClipInMemory implements Clip {
     }
     this.checkRange(first, count, 0);
     const unit = new TextEncoder().encode(lengthUnit);
-    withBytes(this.module, unit, (address) =>
-      this.module._marey_clip_write_table(handle, of === "positions" ? 1 : 0, address, unit.length, first, count));
-    return copyText(this.module, handle);
+    return withMemory(() => {
+      withBytes(this.module, unit, (address) =>
+        this.module._marey_clip_write_table(handle, of === "positions" ? 1 : 0, address, unit.length, first, count));
+      return copyText(this.module, handle);
+    });
   }
 
   writeFor(target: ExportTarget, { referencePose, decimals, lineEnds }: WriteForOptions = {}): Exported {
@@ -124,9 +130,11 @@ export class ClipInMemory implements Clip {
     const style = styleNumbers(decimals, lineEnds);
     const name = new TextEncoder().encode(target);
     const pose = referencePose === undefined ? -1 : Number(referencePose);
-    const done = withBytes(this.module, name, (address) =>
-      this.module._marey_clip_write_for(handle, address, name.length, pose, ...style));
-    const bytes = copyText(this.module, handle);
+    const [done, bytes] = withMemory(() => [
+      withBytes(this.module, name, (address) =>
+        this.module._marey_clip_write_for(handle, address, name.length, pose, ...style)),
+      copyText(this.module, handle),
+    ] as const);
     if (done === 0) throw errorOf(JSON.parse(new TextDecoder().decode(bytes)));
     const reportAt = this.module._marey_clip_report(handle);
     const report = this.module.HEAPU8.slice(reportAt, reportAt + this.module._marey_clip_report_size(handle));
@@ -181,6 +189,19 @@ export interface ErrorDescription {
 
 export function errorOf({ code, message, line, column }: ErrorDescription): MareyError {
   return new MareyError(code, message, line, column);
+}
+
+/**
+ * A call for which there may be no memory: of the program, which throws nothing else, or of JavaScript for a copy. What the
+ * program had taken for it is given back, and clips are as they were.
+ */
+export function withMemory<T>(call: () => T): T {
+  try {
+    return call();
+  } catch (error) {
+    const isWantOfMemory = error instanceof WebAssembly.Exception || error instanceof RangeError;
+    throw isWantOfMemory ? new MareyError("out_of_memory", "There is not enough memory for this.") : error;
+  }
 }
 
 /** Copies bytes into the program's memory for one call. */

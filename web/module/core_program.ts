@@ -5,6 +5,7 @@ export interface CoreProgram {
   readonly HEAPF64: Float64Array<ArrayBuffer>;
   _malloc(size: number): number;
   _free(address: number): void;
+  _marey_used_memory(): number;
   _marey_reader_options(strict: number, namesIn: number): void;
   _marey_reader_limit(name: number, nameSize: number, value: number): number;
   _marey_reader_open(expectedBytes: number): number;

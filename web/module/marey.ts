@@ -194,6 +194,9 @@ export interface Marey {
 
   /** Reads a CSV table of channels or of points; docs/command-line.md#tables-in. Throws a MareyError as `parse` does. */
   parseTable(data: Uint8Array | string, options?: ParseTableOptions): Clip;
+
+  /** Bytes of the program's memory: taken by clips that are not disposed of, and held whether taken or not. */
+  memory(): { used: number; reserved: number };
 }
 
 export interface MareyOptions {
@@ -217,6 +220,7 @@ export async function createMarey(options: MareyOptions = {}): Promise<Marey> {
     parseTable(data, { strict = false, figure } = {}) {
       return ClipInMemory.parseTable(module, bytesOf(data), strict, figure);
     },
+    memory: () => ({ used: module._marey_used_memory(), reserved: module.HEAPU8.length }),
   };
 }
 

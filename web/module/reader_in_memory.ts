@@ -1,4 +1,4 @@
-import { ClipInMemory, errorOf, withBytes } from "./clip_in_memory.js";
+import { ClipInMemory, errorOf, withBytes, withMemory } from "./clip_in_memory.js";
 import type { CoreProgram } from "./core_program.js";
 import type { CharacterSet, Clip, ClipReader, Limits, ReaderOptions } from "./marey.js";
 import { MareyError } from "./marey_error.js";
@@ -47,16 +47,19 @@ export class ReaderInMemory implements ClipReader {
     const { expectedBytes = 0 } = options;
     if (!(expectedBytes >= 0)) throw new MareyError("invalid_argument", "expectedBytes is the size of a file.");
     setOptions(module, options);
-    this.handle = module._marey_reader_open(expectedBytes);
+    this.handle = withMemory(() => module._marey_reader_open(expectedBytes));
   }
 
   feed(piece: Uint8Array | string): boolean {
     const bytes = typeof piece === "string" ? new TextEncoder().encode(piece) : piece;
     for (let at = 0; at < bytes.length; at += mostPieceBytes) {
       const part = bytes.subarray(at, at + mostPieceBytes);
-      const address = this.module._marey_reader_piece(this.open(), part.length);
-      this.module.HEAPU8.set(part, address);
-      if (this.module._marey_reader_feed(this.handle, part.length) === 0) return false;
+      const wantsMore = this.withMemory((handle) => {
+        const address = this.module._marey_reader_piece(handle, part.length);
+        this.module.HEAPU8.set(part, address);
+        return this.module._marey_reader_feed(handle, part.length);
+      });
+      if (wantsMore === 0) return false;
     }
     return true;
   }
@@ -66,12 +69,13 @@ export class ReaderInMemory implements ClipReader {
   }
 
   clipSoFar(mostFrames = mostFramesEver): Clip | undefined {
-    const clip = this.module._marey_reader_clip_so_far(this.open(), Math.min(mostFrames, mostFramesEver));
+    const handle = this.open();
+    const clip = withMemory(() => this.module._marey_reader_clip_so_far(handle, Math.min(mostFrames, mostFramesEver)));
     return clip === 0 ? undefined : ClipInMemory.take(this.module, clip);
   }
 
   finish(): Clip {
-    const clip = this.module._marey_reader_finish(this.open());
+    const clip = this.withMemory((handle) => this.module._marey_reader_finish(handle));
     this.cancel();
     return ClipInMemory.take(this.module, clip);
   }
@@ -79,6 +83,17 @@ export class ReaderInMemory implements ClipReader {
   cancel(): void {
     if (this.handle !== 0) this.module._marey_reader_dispose(this.handle);
     this.handle = 0;
+  }
+
+  /** A reader that has come to the end of the memory is done. */
+  private withMemory<T>(call: (handle: number) => T): T {
+    const handle = this.open();
+    try {
+      return withMemory(() => call(handle));
+    } catch (error) {
+      this.cancel();
+      throw error;
+    }
   }
 
   private open(): number {

@@ -2,6 +2,7 @@ import createModule from "marey-app";
 import { type Request, fileNameOf } from "./address";
 import { readAsset } from "./assets";
 import { CanvasSize } from "./canvas_size";
+import { watchContext } from "./context_watch";
 import { MareyError } from "../module/marey_error";
 import { type FailureKind, type Rescue, showFailure } from "./failure";
 import { FileLoader } from "./file_loader";
@@ -14,7 +15,7 @@ import { showNotice } from "./notice";
 import type { CommandInfo, State } from "./page_api";
 import { PageHost, watchSystemPreferences } from "./page_host";
 import { PointerInput } from "./pointer_input";
-import { Program } from "./program";
+import { NoRoomError, Program } from "./program";
 import { TextField } from "./text_field";
 
 /** Shown when the page's address asks for nothing else. */
@@ -120,23 +121,30 @@ export class Application {
     window.addEventListener("paste", (event) => this.paste(event));
     document.addEventListener("visibilitychange", wake);
     watchSystemPreferences(wake);
-    this.watchContext();
+    this.followContext();
     this.textField.takeKeyboard();
   }
 
-  private watchContext(): void {
-    this.canvas.addEventListener("webglcontextlost", (event) => {
-      event.preventDefault();
-      this.loop.pause();
-      this.program.loseContext();
-    });
-    this.canvas.addEventListener("webglcontextrestored", () => {
-      try {
-        this.program.restoreContext();
-        this.loop.resume();
-      } catch (error) {
-        this.fail("no-webgl", error);
-      }
+  private followContext(): void {
+    let hideWaiting = (): void => {};
+    watchContext(this.canvas, {
+      lost: () => {
+        this.loop.pause();
+        this.program.loseContext();
+      },
+      overdue: () => {
+        if (!this.failed) hideWaiting = showFailure("waiting", "The WebGL context was lost.", this.rescue());
+      },
+      restored: () => {
+        if (this.failed) return;
+        try {
+          this.program.restoreContext();
+          hideWaiting();
+          this.loop.resume();
+        } catch (error) {
+          this.fail("no-webgl", error);
+        }
+      },
     });
   }
 
@@ -162,9 +170,11 @@ export class Application {
     try {
       await this.open(name, source);
     } catch (error) {
-      // The program says why it refused a file; it does not hear of one that does not come, or for which there is no memory.
+      // The program says why it refused a file; it does not hear of one that does not come, or for which there is no room.
       if (!(error instanceof MareyError)) return;
-      if (error.code === "out_of_memory") showNotice(`${name} is too large. ${error.message}`);
+      if (error instanceof NoRoomError) {
+        showNotice(`There is not enough memory for ${name}. What was open stays as it was. Close other tabs, or use the command line.`);
+      }
       if (error.code === "not_loaded") showNotice(error.message);
     }
   }

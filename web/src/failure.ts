@@ -1,7 +1,7 @@
 import { AssetError } from "./assets";
 import { download } from "./files";
 
-export type FailureKind = "no-wasm" | "no-webgl" | "not-loaded" | "stopped";
+export type FailureKind = "no-wasm" | "no-webgl" | "not-loaded" | "stopped" | "waiting";
 
 const texts: Record<FailureKind, { title: string; reason: string; advice: string }> = {
   "no-wasm": {
@@ -26,6 +26,13 @@ const texts: Record<FailureKind, { title: string; reason: string; advice: string
     reason: "The program came upon an error of its own and cannot go on.",
     advice: "Nothing was sent anywhere. Load the page again to go on.",
   },
+  waiting: {
+    title: "The browser has taken the picture away",
+    reason:
+      "The graphics card is busy or was restarted. Your file and its changes are still here, and the page goes on by " +
+      "itself as soon as the browser lets it draw again.",
+    advice: "If the picture does not come back, close other tabs or load the page again.",
+  },
 };
 
 /** The open document as it can still be had after a failure. */
@@ -36,8 +43,9 @@ export interface Rescue {
 
 const element = (id: string): HTMLElement => document.getElementById(id)!;
 
-/** Replaces the page by plain HTML that says what happened and what to do. */
-export function showFailure(kind: FailureKind, cause: unknown, rescue?: Rescue): void {
+/** Replaces the page by plain HTML that says what happened and what to do. The answer brings the page back. */
+export function showFailure(kind: FailureKind, cause: unknown, rescue?: Rescue): () => void {
+  const titleBefore = document.title;
   const text = texts[kind];
   element("failure-title").textContent = text.title;
   element("failure-reason").textContent = cause instanceof AssetError ? cause.message : text.reason;
@@ -51,6 +59,11 @@ export function showFailure(kind: FailureKind, cause: unknown, rescue?: Rescue):
   element("canvas").hidden = true;
   element("failure").hidden = false;
   document.title = `${text.title} - Marey`;
+  return () => {
+    element("failure").hidden = true;
+    element("canvas").hidden = false;
+    document.title = titleBefore;
+  };
 }
 
 function describe(cause: unknown): string {

@@ -8,6 +8,7 @@ export interface Host {
   setClipboardText(text: string): void;
   setDocumentState(name: string, dirty: boolean): void;
   announce(text: string): void;
+  reportFault(text: string): void;
   drawAfter(milliseconds: number): void;
   storePreferences(json: string): void;
   /** Empty when there are none. */

@@ -23,6 +23,7 @@ export function makePageApi(application: Application, ready: Promise<void>, star
       if (isRefusal(answer)) throw new Error(answer.error);
       return answer;
     },
+    memory: () => application.program.memory(),
     ui: { items: () => application.program.items() as Item[] },
   };
 }

@@ -116,6 +116,8 @@ export interface PageApi {
   commands(): CommandInfo[];
   /** Runs a command. Rejects when it does not exist, cannot run now, or its arguments are wrong. */
   command(id: string, args?: unknown): Promise<unknown>;
+  /** Bytes of the program's memory: taken, and held whether taken or not. */
+  memory(): { used: number; reserved: number };
   readonly ui: { items(): Item[] };
 }
 

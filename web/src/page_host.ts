@@ -69,6 +69,10 @@ export class PageHost implements Host {
     this.status.textContent = text;
   }
 
+  reportFault(text: string): void {
+    console.error(text);
+  }
+
   drawAfter(milliseconds: number): void {
     window.setTimeout(this.parts.wake, milliseconds);
   }

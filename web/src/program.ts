@@ -20,6 +20,9 @@ function modifierBits(state: ModifierState): number {
   return (state.ctrlKey ? 1 : 0) | (state.shiftKey ? 2 : 0) | (state.altKey ? 4 : 0) | (state.metaKey ? 8 : 0);
 }
 
+/** There is no memory for handing something to the program, which therefore has not heard of it. */
+export class NoRoomError extends MareyError {}
+
 /** The program in WebAssembly: wasm/bindings/page*.cpp with JavaScript's types. Lengths are CSS pixels. */
 export class Program {
   private readonly page: number;
@@ -42,9 +45,11 @@ export class Program {
     this.module._marey_resize(this.page, width, height, devicePixelRatio);
   }
 
-  /** Draws; true when a further frame is wanted without new input. */
+  /** Draws; true when a further frame is wanted without new input. Throws a MareyError when the program cannot go on. */
   frame(nowMs: number): boolean {
-    return this.module._marey_frame(this.page, nowMs) !== 0;
+    const wanted = this.module._marey_frame(this.page, nowMs);
+    this.check(wanted + 1);
+    return wanted > 0;
   }
 
   /** Has letters of the browser's fonts drawn again. */
@@ -60,15 +65,21 @@ export class Program {
     this.check(this.module._marey_restore_context(this.page));
   }
 
+  /** Bytes of the program's memory: taken, and held whether taken or not. */
+  memory(): { used: number; reserved: number } {
+    return { used: this.module._marey_used_memory(), reserved: this.module.HEAPU8.length };
+  }
+
   /** Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. */
   beginLoading(name: string, size: number): void {
-    this.withBytes([encode(name)], (nameAt, nameSize) => this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size));
+    this.check(this.withBytes([encode(name)], (nameAt, nameSize) =>
+      this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size)));
   }
 
   /** Reads the next bytes. False when no more are wanted: finishLoading() says why. */
   feed(bytes: Uint8Array): boolean {
     const address = this.module._marey_piece(this.page, bytes.length);
-    if (address === 0) throw new MareyError("out_of_memory", "The browser gives no more memory.");
+    if (address === 0) throw new NoRoomError("out_of_memory", "The browser gives no more memory.");
     this.module.HEAPU8.set(bytes, address);
     return this.module._marey_feed(this.page, bytes.length) !== 0;
   }
@@ -83,29 +94,29 @@ export class Program {
   }
 
   save(): Uint8Array<ArrayBuffer> {
-    this.module._marey_save(this.page);
+    this.check(this.module._marey_save(this.page));
     return this.resultBytes();
   }
 
   state(): unknown {
-    this.module._marey_state(this.page);
+    this.check(this.module._marey_state(this.page));
     return JSON.parse(this.resultText());
   }
 
   commands(): unknown {
-    this.module._marey_commands(this.page);
+    this.check(this.module._marey_commands(this.page));
     return JSON.parse(this.resultText());
   }
 
   items(): unknown {
-    this.module._marey_items(this.page);
+    this.check(this.module._marey_items(this.page));
     return JSON.parse(this.resultText());
   }
 
   runCommand(id: string, args: unknown): unknown {
     const argsText = args === undefined ? "" : JSON.stringify(args);
-    this.withBytes([encode(id), encode(argsText)], (idAt, idSize, argsAt, argsSize) =>
-      this.module._marey_run_command(this.page, idAt!, idSize!, argsAt!, argsSize!));
+    this.check(this.withBytes([encode(id), encode(argsText)], (idAt, idSize, argsAt, argsSize) =>
+      this.module._marey_run_command(this.page, idAt!, idSize!, argsAt!, argsSize!)));
     return JSON.parse(this.resultText());
   }
 
@@ -155,7 +166,7 @@ export class Program {
   private withBytes<T>(blocks: Uint8Array[], call: (...places: number[]) => T): T {
     const addresses = blocks.map((block) => this.module._malloc(Math.max(block.length, 1)));
     try {
-      if (addresses.includes(0)) throw new MareyError("out_of_memory", "The browser gives no more memory.");
+      if (addresses.includes(0)) throw new NoRoomError("out_of_memory", "The browser gives no more memory.");
       blocks.forEach((block, i) => this.module.HEAPU8.set(block, addresses[i]));
       return call(...blocks.flatMap((block, i) => [addresses[i]!, block.length]));
     } finally {
@@ -165,7 +176,11 @@ export class Program {
 
   private resultBytes(): Uint8Array<ArrayBuffer> {
     const address = this.module._marey_result_data(this.page);
-    return this.module.HEAPU8.slice(address, address + this.module._marey_result_size(this.page));
+    try {
+      return this.module.HEAPU8.slice(address, address + this.module._marey_result_size(this.page));
+    } catch (error) {
+      throw error instanceof RangeError ? new MareyError("out_of_memory", "There is not enough memory for a copy of the file.") : error;
+    }
   }
 
   private resultText(): string {

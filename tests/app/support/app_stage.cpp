@@ -8,10 +8,12 @@
 
 namespace marey::app {
 
-AppStage::AppStage(WindowSize window, std::string preferences) : window_(window) {
+AppStage::AppStage(WindowSize window, std::string preferences, const ImFontLoader* other_letters) : window_(window) {
   headless_log() = HeadlessLog{};
   headless_log().preferences = std::move(preferences);
-  app_ = std::make_unique<App>(backend_, ImGuiStage::font_files());
+  FontFiles fonts = ImGuiStage::font_files();
+  fonts.other_letters = other_letters;
+  app_ = std::make_unique<App>(backend_, fonts);
   settle();
 }
 

@@ -12,8 +12,9 @@ namespace marey::app {
 /// The whole program on the headless backend, used by mouse and keys as a person uses the page.
 class AppStage {
  public:
-  /// `preferences`: what a former visit left; by default the welcome was seen.
-  explicit AppStage(WindowSize window = {}, std::string preferences = R"({"welcomeSeen":true})");
+  /// `preferences`: what a former visit left; by default the welcome was seen. `other_letters`: as in FontFiles.
+  explicit AppStage(WindowSize window = {}, std::string preferences = R"({"welcomeSeen":true})",
+                    const ImFontLoader* other_letters = nullptr);
 
   App& app() { return *app_; }
   HeadlessLog& log() { return headless_log(); }

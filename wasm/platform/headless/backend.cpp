@@ -30,6 +30,8 @@ void Backend::draw_after(double seconds) { headless_log().draw_after_s = seconds
 
 void Backend::announce(std::string_view text) { headless_log().announcements.emplace_back(text); }
 
+void Backend::report_fault(std::string_view text) { headless_log().faults.emplace_back(text); }
+
 void Backend::store_preferences(std::string_view json) {
   headless_log().preferences = json;
   ++headless_log().preference_writes;

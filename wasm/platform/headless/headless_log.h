@@ -15,6 +15,7 @@ struct HeadlessLog {
   std::vector<std::pair<std::string, std::string>> downloads;  ///< name, bytes
   std::vector<std::string> samples;
   std::vector<std::string> announcements;
+  std::vector<std::string> faults;
   std::vector<std::string> links;
   std::string clipboard;
   std::string file_name;

@@ -26,6 +26,8 @@ void Backend::set_document_state(std::string_view file_name, bool dirty) {
 
 void Backend::announce(std::string_view text) { marey_host_announce(text.data(), text.size()); }
 
+void Backend::report_fault(std::string_view text) { marey_host_report_fault(text.data(), text.size()); }
+
 void Backend::draw_after(double seconds) { marey_host_draw_after(1000.0 * seconds); }
 
 void Backend::store_preferences(std::string_view json) { marey_host_store_preferences(json.data(), json.size()); }

@@ -4,6 +4,7 @@
 
 /// What the page's JavaScript does for the program; web/host_library.js forwards each to `Module.host`
 /// (web/src/host.ts). Text is UTF-8, given by its address and its size in bytes, and is only valid during the call.
+/// What the JavaScript throws comes back as a std::runtime_error with its words.
 extern "C" {
 void marey_host_ask_for_file();
 void marey_host_download(const char* name, size_t name_size, const char* bytes, size_t byte_count);
@@ -12,6 +13,7 @@ void marey_host_stop_loading();
 void marey_host_set_clipboard_text(const char* text, size_t text_size);
 void marey_host_set_document_state(const char* name, size_t name_size, int dirty);
 void marey_host_announce(const char* text, size_t text_size);
+void marey_host_report_fault(const char* text, size_t text_size);
 void marey_host_draw_after(double milliseconds);
 void marey_host_store_preferences(const char* json, size_t json_size);
 /// Copies the stored preferences into `buffer` when they fit into `capacity`; returns their size, 0 for none.

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <new>
 
 #include "wasm/platform/web/browser_letters.h"
 #include "wasm/platform/web/host.h"
@@ -40,6 +41,9 @@ Page::~Page() {
 
 Status Page::start(FontFiles fonts) {
   if (Status started = gl_.start(kCanvasSelector); !started) return started;
+  // Without memory ImGui throws too, instead of writing through a null pointer.
+  ImGui::SetAllocatorFunctions([](std::size_t size, void*) { return ::operator new(size); },
+                               [](void* memory, void*) { ::operator delete(memory); });
   imgui_ = ImGui::CreateContext();
   ImGui::GetIO().ConfigMacOSXBehaviors = backend_.system_preferences().apple_keys;
   connect_imgui();

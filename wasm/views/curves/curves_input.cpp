@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/editing/curve_operations.h"
+#include "wasm/app/faults.h"
 
 namespace marey::app {
 namespace {
@@ -79,8 +80,8 @@ void move_samples(ViewContext& context, CurvesState& state) {
   const double delta = axis.value_at(io().MousePos.y) - axis.value_at(drag.start.y);
   const SampleSelection moved = selected_samples_like(session, drag.grabbed.channel);
   const Falloff falloff{static_cast<double>(context.options.falloff_radius_frames)};
-  const Status status = session.apply_gesture(
-      drag.gesture, [&](const Clip& clip) { return make_move_edit(clip, moved, delta, falloff); });
+  const auto make_edit = [&](const Clip& clip) { return make_move_edit(clip, moved, delta, falloff); };
+  const Status status = with_memory_for("this change", [&] { return session.apply_gesture(drag.gesture, make_edit); });
   if (!status) context.status = status.error().message;
 }
 

@@ -32,13 +32,13 @@ void compute_clip_pose(const Clip& clip, double position, LocalPose& local, Worl
 }
 
 void FigureCache::rebuild(const Clip& clip) {
-  skeleton_ = clip.skeleton;
-  settings_ = clip.settings;
   compute_clip_pose(clip, 0.0, local_, pose_);
   shape_ = make_figure_shape(clip, pose_);
   const double light_yaw_rad = stage_.light_yaw_rad;
   stage_ = measure_stage(clip, shape_);
   stage_.light_yaw_rad = light_yaw_rad;
+  skeleton_ = clip.skeleton;
+  settings_ = clip.settings;
   ++figure_serial_;
 }
 
