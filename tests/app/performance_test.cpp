@@ -65,6 +65,17 @@ TEST(PerformanceCard, LetsThePageRestAndThePointerThrough) {
   EXPECT_NE(stage.app().scene().eye.x, yaw_before) << "the drag turns the figure";
 }
 
+TEST(Idle, ThePageRestsWhateverThePointerIsOver) {
+  AppStage stage;
+  stage.open_sample("walk");
+  stage.press(ImGuiMod_Shift | ImGuiKey_T);
+  for (const char* id : {"play.toggle", "curves.canvas", "viewport.canvas", "timeline.ruler", "outliner.joint.0", "file.save"}) {
+    stage.hover(id);
+    for (int i = 0; i < 120; ++i) stage.frame();  // until the tool tip is there
+    EXPECT_LE(stage.settle(), 3) << id;
+  }
+}
+
 TEST(PerformanceCard, IsLeftOutWhereItHasNoRoom) {
   AppStage stage({.css_width = 200.0f, .css_height = 300.0f, .device_pixel_ratio = 1.0f});
   stage.open_sample("walk");
