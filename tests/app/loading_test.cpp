@@ -11,7 +11,7 @@ namespace {
 class Slow {
  public:
   Slow(AppStage& stage, std::string name, std::string text) : stage_(stage), text_(std::move(text)) {
-    stage_.app().begin_loading(std::move(name), static_cast<std::int64_t>(text_.size()));
+    EXPECT_TRUE(stage_.app().begin_loading(std::move(name), static_cast<std::int64_t>(text_.size())).ok());
   }
 
   bool feed(double share) {
@@ -112,7 +112,7 @@ TEST(Loading, KeepsUnsavedChangesOfTheClipBefore) {
 TEST(Loading, AFileThatTurnsOutUnreadableLeavesWhatWasOpen) {
   AppStage stage;
   ASSERT_TRUE(stage.open_text("arm.bvh", small_bvh(3)).ok());
-  stage.app().begin_loading("bad.bvh", 0);
+  ASSERT_TRUE(stage.app().begin_loading("bad.bvh", 0).ok());
   stage.app().feed_loading("no BVH at all");
   EXPECT_FALSE(stage.app().finish_loading().ok());
   EXPECT_EQ(stage.state()["file"], "arm.bvh");
