@@ -35,7 +35,8 @@ class FixedNumberReader {
     const std::uint64_t points = word ^ 0x2e2e2e2e2e2e2e2eU;
     // The lowest set bit lies in the first byte that is 0.
     const std::uint64_t point_mask = (points - 0x0101010101010101U) & ~points & 0x8080808080808080U;
-    const bool negative = (word >> (8 * gap) & 0xffU) == '-';
+    // Gaps that are too long, which a reader of nothing may be asked for, must not shift by the whole word.
+    const bool negative = (word >> (8 * (gap & 7)) & 0xffU) == '-';
     const int begin = gap + (negative ? 1 : 0);
     const int point = std::countr_zero(point_mask | std::uint64_t{1} << 63) >> 3;
     const int integer_digits = point - begin;

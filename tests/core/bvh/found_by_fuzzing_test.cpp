@@ -77,5 +77,13 @@ TEST(FoundByFuzzing, RefusalsOfTablesAreUtf8) {
   EXPECT_TRUE(is_utf8(clip.error().found));
 }
 
+TEST(FoundByFuzzing, AsManyBlanksBetweenNumbersAsAWordHasBytes) {
+  const std::string blanks(8, ' ');
+  std::string rows;
+  for (int i = 0; i < 3; ++i) rows += "1.5" + blanks + "-2.5" + blanks + "3.5\n";
+  const BvhClip clip = read_or_fail(one_joint_file("3", rows));
+  EXPECT_EQ(rows_of(clip), Rows(3, {1.5, -2.5, 3.5}));
+}
+
 }  // namespace
 }  // namespace marey
