@@ -27,9 +27,9 @@ async function drawnWithin(page, milliseconds) {
   return { frames: after.frames - before.frames, calls: after.calls - before.calls };
 }
 
-/** Waits until half a second went by without a frame: notices have gone, panels have come to rest. */
+/** Waits until five seconds went by without a frame: notices, which stay for four, have gone, panels have come to rest. */
 async function settle(page) {
-  await expect.poll(async () => (await drawnWithin(page, 500)).frames, { timeout: 90_000 }).toBe(0);
+  await expect.poll(async () => (await drawnWithin(page, 5000)).frames, { timeout: 90_000 }).toBe(0);
 }
 
 /** What the browser says of a tab behind another one; a browser under test shows each of its tabs. */
@@ -72,10 +72,11 @@ test("a clip that was paused is at rest again", async ({ marey, page }) => {
 
 test("a hidden page does not play on", async ({ marey, page }) => {
   await marey.open("arm.bvh", armClip(200));
+  await settle(page);
   await marey.press("Space");
   await marey.expectState(({ playing, frame }) => playing && frame > 2, true);
   await hide(page, true);
-  await page.waitForTimeout(100);
+  await page.waitForTimeout(500);
   expect(await drawnWithin(page, 1500)).toEqual(nothing);
   await hide(page, false);
   await expect.poll(async () => (await drawnWithin(page, 500)).frames).toBeGreaterThan(1);
