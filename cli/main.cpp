@@ -27,7 +27,10 @@ void read_limit(const std::string& text, ReadLimits& limits) {
     throw CLI::ValidationError("--max", "wants NAME=VALUE, as frames=1000");
   }
   const Status status = set_limit(limits, text.substr(0, equals), value);
-  if (!status) throw CLI::ValidationError("--max", status.error().message);
+  if (status) return;
+  std::string message = status.error().message;
+  message.pop_back();  // the usage goes on behind it
+  throw CLI::ValidationError("--max", message);
 }
 
 }  // namespace

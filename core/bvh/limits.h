@@ -9,8 +9,8 @@
 
 namespace marey {
 
-/// Programs with 32-bit addresses, such as WebAssembly ones, have 2 GiB for everything, and nothing survives a failed
-/// allocation there; the defaults leave room for what the program needs besides.
+/// Programs with 32-bit addresses, such as WebAssembly ones, have 2 GiB for everything; the defaults leave room for what the
+/// program needs besides.
 inline constexpr bool kAddressesAre32Bit = sizeof(void*) == 4;
 inline constexpr std::int64_t kGibibyte = std::int64_t{1} << 30;
 
@@ -23,7 +23,7 @@ struct ReadLimits {
   int max_frames = 10'000'000;
   /// Samples x 8 bytes, at any moment of the reading: while the store grows, the old one counts beside the new one.
   std::int64_t max_sample_bytes = kAddressesAre32Bit ? kGibibyte : 3 * kGibibyte;
-  /// The text, its conversion from UTF-16 if there is one, and the samples together.
+  /// The text that is held, its conversion from UTF-16 if there is one, and the samples together.
   std::int64_t max_bytes = kAddressesAre32Bit ? kGibibyte * 3 / 2 : INT64_MAX;
 };
 

@@ -16,6 +16,11 @@ constexpr std::size_t kNever = SIZE_MAX;
 /// A header that is not complete by then is read with the whole text.
 constexpr std::size_t kLongestHeader = std::size_t{64} << 20;
 
+/// The size that a caller expects, as far as the limits would let it be held.
+std::size_t bounded_size(std::int64_t expected_bytes, const ReadLimits& limits) {
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(expected_bytes, 0, std::min(kGibibyte, limits.max_bytes)));
+}
+
 }  // namespace
 
 StreamReader::StreamReader(const ReadOptions& options, const StreamOptions& stream)
@@ -49,6 +54,8 @@ void StreamReader::try_to_start() {
   gathered_ = rows->take_head();
   const bool may_start = start == StreamRows::Start::NeedsMore && gathered_.size() < kLongestHeader;
   next_try_ = may_start ? 2 * gathered_.size() : kNever;
+  // All of it comes to be held: doubling would take up to three times its size for a moment.
+  if (!may_start) gathered_.reserve(bounded_size(stream_.expected_bytes, options_.limits));
 }
 
 void StreamReader::check_memory() {

@@ -1,5 +1,6 @@
 #include "wasm/app/file_loading.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "wasm/app/file_reading.h"
@@ -42,7 +43,9 @@ std::vector<TextExcerpt> FileLoading::take_excerpts() {
 }
 
 std::optional<BvhClip> FileLoading::take_news() {
-  const int frames = reader_ ? reader_->frame_count() : 0;
+  const std::int64_t read = reader_ ? reader_->frame_count() : 0;
+  // Once as many are shown as may be, nothing is copied any more.
+  const std::int64_t frames = read == 0 ? 0 : std::min(read, kMostShownSamples / reader_->channel_count());
   if (2 * frames < 3 * shown_frames_ + 2) return std::nullopt;
   std::optional<BvhClip> clip = reader_->clip_so_far(kMostShownSamples);
   if (!clip || clip->motion.frame_count() <= shown_frames_) return std::nullopt;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,7 +24,7 @@ class FileLoading {
   bool feed(std::string_view bytes);
   /// Reads no more and gives the memory back; finish() gives this error.
   void give_up(Error error);
-  /// Call once, when all bytes are fed. `open_document` and errors: as in read_opened_file().
+  /// Call once, when all bytes are fed. `open_document` and errors: as in read_opened_table(), and those of read_bvh().
   [[nodiscard]] Result<BvhClip> finish(const Document* open_document);
   /// After finish() gave a clip: of each of its diagnostics.
   [[nodiscard]] std::vector<TextExcerpt> take_excerpts();
@@ -45,7 +44,7 @@ class FileLoading {
   std::string file_name_;
   std::int64_t size_;
   std::int64_t fed_bytes_ = 0;
-  int shown_frames_ = 0;
+  std::int64_t shown_frames_ = 0;
   std::optional<StreamReader> reader_;  ///< none for a table
   std::string table_;
   std::optional<Error> failure_;
