@@ -1,11 +1,43 @@
 #include "core/base/byte_search.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 
 namespace marey {
 namespace {
 
-constexpr std::size_t kBlock = 64;
+using Bytes = std::uint8_t __attribute__((vector_size(16)));
+
+/// Bytes that are wanted are not 0 afterwards; the others are.
+using Wanted = Bytes;
+
+constexpr std::size_t kBlock = 4 * sizeof(Bytes);
+
+/// Whether a block of kBlock bytes has a wanted one.
+template <class MarkWanted>
+bool has_wanted(const char* block, MarkWanted mark_wanted) {
+  Bytes parts[4];
+  std::memcpy(parts, block, sizeof parts);
+  const Wanted wanted = mark_wanted(parts[0]) | mark_wanted(parts[1]) | mark_wanted(parts[2]) | mark_wanted(parts[3]);
+  std::uint64_t bits[2];
+  std::memcpy(bits, &wanted, sizeof bits);
+  return (bits[0] | bits[1]) != 0;
+}
+
+/// From `from` on, the begin of the first block that has a wanted byte, or of what is left behind the last block.
+template <class MarkWanted>
+std::size_t pass_blocks(std::string_view text, std::size_t from, MarkWanted mark_wanted) {
+  while (from + kBlock <= text.size() && !has_wanted(text.data() + from, mark_wanted)) from += kBlock;
+  return from;
+}
+
+/// Marks what is one of two bytes.
+auto mark_either(char a, char b) {
+  return [a = static_cast<std::uint8_t>(a), b = static_cast<std::uint8_t>(b)](Bytes bytes) {
+    return reinterpret_cast<Wanted>(bytes == a) | reinterpret_cast<Wanted>(bytes == b);
+  };
+}
 
 /// Where in text[from, end) is_wanted() holds first; npos if nowhere.
 template <class IsWanted>
@@ -18,25 +50,20 @@ std::size_t find_in(std::string_view text, std::size_t from, IsWanted is_wanted)
 }  // namespace
 
 std::size_t find_either(std::string_view text, char a, char b, std::size_t from) {
-  for (; from + kBlock <= text.size(); from += kBlock) {
-    const char* block = text.data() + from;
-    unsigned char found = 0;
-    for (std::size_t i = 0; i < kBlock; ++i) {
-      found = static_cast<unsigned char>(found | static_cast<unsigned char>((block[i] == a) | (block[i] == b)));
-    }
-    if (found != 0) break;
-  }
-  return find_in(text, from, [a, b](char c) { return c == a || c == b; });
+  return find_in(text, pass_blocks(text, from, mark_either(a, b)), [a, b](char c) { return c == a || c == b; });
+}
+
+std::size_t find_last_line_end(std::string_view text) {
+  const auto mark = mark_either('\r', '\n');
+  std::size_t end = text.size();
+  while (end >= kBlock && !has_wanted(text.data() + end - kBlock, mark)) end -= kBlock;
+  while (end > 0 && text[end - 1] != '\r' && text[end - 1] != '\n') --end;
+  return end == 0 ? std::string_view::npos : end - 1;
 }
 
 std::size_t find_beyond_ascii(std::string_view text, std::size_t from) {
-  for (; from + kBlock <= text.size(); from += kBlock) {
-    const char* block = text.data() + from;
-    unsigned char bits = 0;
-    for (std::size_t i = 0; i < kBlock; ++i) bits = static_cast<unsigned char>(bits | static_cast<unsigned char>(block[i]));
-    if (bits >= 0x80) break;
-  }
-  return find_in(text, from, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  const auto mark = [](Bytes bytes) { return bytes & 0x80; };
+  return find_in(text, pass_blocks(text, from, mark), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
 std::size_t count_line_ends(std::string_view text, std::size_t from, std::size_t to) {

@@ -48,7 +48,7 @@ Lines find_comma_lines(std::string_view rows) {
   Lines lines;
   const std::size_t first = find_either(rows, ',', ';');
   if (first == std::string_view::npos) return lines;
-  const std::size_t line_end = rows.substr(0, first).find_last_of("\r\n");
+  const std::size_t line_end = find_last_line_end(rows.substr(0, first));
   rows = rows.substr(line_end == std::string_view::npos ? 0 : line_end + 1, kMostBytes);
   while (!rows.empty() && size_of(lines) < kMostLines) {
     const std::string_view line = first_line(rows);

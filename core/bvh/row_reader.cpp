@@ -6,7 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/byte_search.h"
 #include "core/base/counted.h"
+#include "core/base/fixed_number.h"
 #include "core/base/plain_number.h"
 #include "core/bvh/comma_habit.h"
 #include "core/bvh/motion_header.h"
@@ -77,6 +79,10 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
       most_frames_(std::min<std::int64_t>(limits.max_frames, sample_frames_)),
       store_(channel_count_, expected_frames(input, survey_, most_frames_), sample_frames_),
       odd_tokens_(odd_token_bytes(expected_frames(input, survey_, most_frames_), channel_count_)) {
+  prepare_columns();
+}
+
+void RowReader::prepare_columns() {
   for (const ColumnStyle& column : survey_.columns) {
     HotColumn hot;
     hot.gap_length = size_of(column.gap);
@@ -87,9 +93,23 @@ RowReader::RowReader(const RowsInput& input, const ReadLimits& limits, MotionSur
     hot.gap_mask = fits ? ~std::uint64_t{0} >> (64 - 8 * bytes) : 0;
     if (!fits) hot.gap_word = 1;
     hot.spelling = PlainSpelling(column.format);
-    const bool is_usual = is_usual_fixed(column.format) && hot.gap_length <= FixedNumberReader::kLongestGap;
-    if (fits && is_usual) hot.fixed = FixedNumberReader(column.format.decimals);
     hot_columns_.push_back(hot);
+  }
+  find_runs();
+}
+
+/// Neighbours with the same gap and the same decimals.
+void RowReader::find_runs() {
+  constexpr int kLongestRun = 32;
+  for (int first = 0, last = 0; first < channel_count_; first = last) {
+    const auto& [gap, format] = survey_.columns[idx(first)];
+    const auto is_like_first = [&](const ColumnStyle& column) {
+      return column.gap == gap && is_usual_fixed(column.format) && column.format.decimals == format.decimals;
+    };
+    const bool is_run = !gap.empty() && gap.size() <= FixedNumbers::kLongestGap && is_usual_fixed(format);
+    for (last = first + 1; is_run && last < channel_count_ && last < first + kLongestRun && is_like_first(survey_.columns[idx(last)]);) ++last;
+    hot_columns_[idx(first)].run_length = last - first;
+    if (is_run) hot_columns_[idx(first)].run.emplace(gap, format.decimals);
   }
 }
 
@@ -106,27 +126,34 @@ void RowReader::read_all() {
 void RowReader::read_some() {
   while (!rows_ended_ && !report_.failed() && !all_declared_read()) {
     if (!(is_predictable() && read_predicted_row())) {
-      if (frames() > 0 && offset() >= settled_end()) return;
+      if (frames() > 0 && !is_settled()) return;
       rows_ended_ = !read_irregular_row();
     }
     check_limits();
   }
 }
 
-/// Behind a row that begins before it, the part has as many lines of numbers as any repair looks at.
-std::size_t RowReader::settled_end() {
+/// Whether the part has as many lines of numbers behind the next row as any repair looks at.
+bool RowReader::is_settled() {
   constexpr int kMostLinesLookedAt = 32;
-  if (settled_end_) return *settled_end_;
+  constexpr int kShortestLine = 2;
+  const int lines = channel_count_ + kMostLinesLookedAt;
+  if (end_ - at_ < static_cast<std::ptrdiff_t>(lines) * kShortestLine) return false;
+  if (!settled_end_) settled_end_ = begin_of_last_lines(lines);
+  return offset() < *settled_end_;
+}
+
+/// Where the last so many lines of numbers begin.
+std::size_t RowReader::begin_of_last_lines(int lines) const {
   std::string_view left = input_.part.text;
-  for (int lines = channel_count_ + kMostLinesLookedAt; lines > 0 && !left.empty();) {
-    const std::size_t end = left.substr(0, left.size() - 1).find_last_of("\r\n");
+  while (lines > 0 && !left.empty()) {
+    const std::size_t end = find_last_line_end(left.substr(0, left.size() - 1));
     const std::size_t begin = end == std::string_view::npos ? 0 : end + 1;
     const std::string_view line = trimmed(left.substr(begin));
     if (starts_like_number(line.substr(0, 2))) --lines;
     left = left.substr(0, begin);
   }
-  settled_end_ = input_.part.begin + left.size();
-  return *settled_end_;
+  return input_.part.begin + left.size();
 }
 
 void RowReader::move_to(TextPart part) {
@@ -140,35 +167,53 @@ void RowReader::move_to(TextPart part) {
 
 bool RowReader::read_predicted_row() {
   const OddTokens::Mark mark = odd_tokens_.mark();
-  const char point = survey_.look.point;
   double* row = store_.next_row();
   const char* p = at_;
-  const std::ptrdiff_t reach = kPlainNumberReach + 8;
-  for (int channel = 0; channel < channel_count_; ++channel) {
+  for (int channel = 0; channel < channel_count_;) {
     const HotColumn& column = hot_columns_[idx(channel)];
-    const std::uint64_t word = end_ - p > reach ? detail::load_eight(p) : 0;
-    if ((word & column.gap_mask) == column.gap_word) {
-      if (const char* end = column.fixed.read(p, word, column.gap_length, row[channel])) {
-        p = end;
-        continue;
-      }
-      const char* begin = p + column.gap_length;
-      const PlainNumber number = scan_plain_number(begin, point);
-      if (number.end != nullptr && column.spelling.matches(begin, number)) {
-        row[channel] = number.value();
-        p = number.end;
-        continue;
-      }
+    const int run_end = channel + column.run_length;
+    if (const char* end = column.run ? read_run(p, column, row + channel) : nullptr) {
+      channel = run_end;
+      p = end;
+      continue;
     }
-    p = read_unpredicted_value(p, channel, row[channel]);
-    if (p == nullptr) {
-      odd_tokens_.go_back(mark);
-      return false;
+    for (; channel < run_end; ++channel) {
+      p = read_predicted_value(p, channel, row[channel]);
+      if (p == nullptr) {
+        odd_tokens_.go_back(mark);
+        return false;
+      }
     }
   }
   at_ = p;
   store_.commit_row();
   return true;
+}
+
+/// Null where one of the run's columns is not as predicted, or a try is not worthwhile.
+const char* RowReader::read_run(const char* p, const HotColumn& column, double* values) {
+  constexpr int kGivingUp = 64;
+  constexpr int kTriedAgain = 4096;
+  if (failed_runs_ >= kGivingUp && ++failed_runs_ < kTriedAgain) return nullptr;
+  const std::ptrdiff_t reach = column.run_length * FixedNumbers::kReachPerNumber + FixedNumbers::kReachBehind;
+  if (end_ - p < reach || p - input_.part.text.data() < FixedNumbers::kReachBefore) return nullptr;
+  const char* const end = column.run->read(p, column.run_length, values);
+  failed_runs_ = end != nullptr ? 0 : std::min(failed_runs_ + 1, kGivingUp);
+  return end;
+}
+
+const char* RowReader::read_predicted_value(const char* p, int channel, double& value) {
+  const HotColumn& column = hot_columns_[idx(channel)];
+  const bool in_reach = end_ - p > kPlainNumberReach + column.gap_length;
+  if (in_reach && (detail::load_eight(p) & column.gap_mask) == column.gap_word) {
+    const char* begin = p + column.gap_length;
+    const PlainNumber number = scan_plain_number(begin, survey_.look.point);
+    if (number.end != nullptr && column.spelling.matches(begin, number)) {
+      value = number.value();
+      return number.end;
+    }
+  }
+  return read_unpredicted_value(p, channel, value);
 }
 
 /// A number that is not spelled as its column predicts, but sound and in its place; null if it is anything else.

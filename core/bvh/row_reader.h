@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/base/fixed_number.h"
+#include "core/base/fixed_numbers.h"
 #include "core/base/number_spelling.h"
 #include "core/bvh/motion_rows.h"
 #include "core/bvh/motion_survey.h"
@@ -45,8 +45,9 @@ class RowReader {
     std::uint64_t gap_word = 0;  ///< the gap's bytes
     std::uint64_t gap_mask = 0;
     int gap_length = 0;
-    FixedNumberReader fixed;
     PlainSpelling spelling;
+    int run_length = 1;                ///< columns from here on that `run` reads,
+    std::optional<FixedNumbers> run;   ///< if it reads any
   };
 
   /// How the values of an irregular row lie.
@@ -58,8 +59,13 @@ class RowReader {
   };
 
   [[nodiscard]] bool is_predictable() const { return frames() > 0 && !all_declared_read(); }
-  std::size_t settled_end();
+  bool is_settled();
+  [[nodiscard]] std::size_t begin_of_last_lines(int lines) const;
+  void prepare_columns();
+  void find_runs();
   bool read_predicted_row();
+  const char* read_run(const char* p, const HotColumn& column, double* values);
+  const char* read_predicted_value(const char* p, int channel, double& value);
   const char* read_unpredicted_value(const char* p, int channel, double& value);
   [[nodiscard]] bool text_is_predicted(int channel, double value, std::string_view gap, std::string_view number) const;
 
@@ -101,13 +107,14 @@ class RowReader {
   const char* at_;   ///< behind the last value
   const char* end_;
   std::size_t shared_line_end_ = 0;  ///< several frames stand in the line that ends here
-  std::optional<std::size_t> settled_end_;  ///< see settled_end()
+  std::optional<std::size_t> settled_end_;  ///< see is_settled()
   bool rows_ended_ = false;
   std::int64_t sample_frames_;  ///< frames that memory has room for
   std::int64_t most_frames_;
   std::optional<bool> keeps_surplus_rows_;  ///< once all declared frames are read: whether rows behind them are frames
   bool repaired_ = false;  ///< the rows as written are not the rows as read
   std::vector<HotColumn> hot_columns_;
+  int failed_runs_ = 0;        ///< in a row
   SampleStore store_;
   OddTokens odd_tokens_;
 };

@@ -7,9 +7,9 @@ namespace {
 
 /// Rows per tile: long enough to fill cache lines when written out, small enough for the cache.
 int rows_per_tile(int channel_count) {
-  constexpr int kTileBytes = 128 * 1024;
+  constexpr int kTileBytes = 512 * 1024;
   const int fitting = kTileBytes / (static_cast<int>(sizeof(double)) * std::max(channel_count, 1));
-  return std::clamp(fitting, 4, 64);
+  return std::clamp(fitting, 8, 64);
 }
 
 }  // namespace

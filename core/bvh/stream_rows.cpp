@@ -17,7 +17,7 @@ constexpr int kFirstRows = 33;
 
 /// Behind the last line end of `text`.
 std::size_t behind_last_line_end(std::string_view text) {
-  const std::size_t at = text.find_last_of("\r\n");
+  const std::size_t at = find_last_line_end(text);
   return at == std::string_view::npos ? 0 : at + 1;
 }
 

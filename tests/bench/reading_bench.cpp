@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/bvh/reader.h"
+#include "core/bvh/stream_reader.h"
 #include "core/bvh/writer.h"
 #include "tests/bench/bench_clip.h"
 
@@ -16,10 +16,13 @@ void count_bytes(benchmark::State& state, std::size_t bytes) {
   state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) * static_cast<std::int64_t>(bytes));
 }
 
+// By pieces, as the command line, the page and the module read.
 void marey_read(benchmark::State& state) {
   const std::string& text = bench::clip_text();
   for (auto _ : state) {
-    const Result<BvhClip> clip = read_bvh(text);
+    StreamReader reader({}, {.expected_bytes = static_cast<std::int64_t>(text.size())});
+    reader.feed(text);
+    const Result<BvhClip> clip = reader.finish();
     benchmark::DoNotOptimize(clip->motion.samples().data());
   }
   count_bytes(state, text.size());

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "core/base/bits.h"
-#include "core/base/fixed_number.h"
+#include "core/base/fixed_numbers.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_number.h"
 #include "tests/numbers/number_cases.h"
@@ -52,16 +52,17 @@ class Comparison {
   [[nodiscard]] std::int64_t known_decimals() const { return known_decimals_; }
 
  private:
-  /// Nothing for what is not of that kind. Precondition: padded_ holds `text`.
-  [[nodiscard]] std::optional<double> read_with_known_decimals(const std::string& text) const {
+  /// Nothing for what is not of that kind.
+  [[nodiscard]] static std::optional<double> read_with_known_decimals(const std::string& text) {
     const std::size_t point = text.find('.');
     const std::size_t decimals = point == std::string::npos ? 0 : text.size() - point - 1;
-    if (decimals < 1 || decimals > FixedNumberReader::kMostDecimals) return std::nullopt;
+    if (decimals < 1 || decimals > FixedNumbers::kMostDecimals) return std::nullopt;
+    const std::string row = std::string(FixedNumbers::kReachBefore, ' ') + text + std::string(FixedNumbers::kReachPerNumber + FixedNumbers::kReachBehind, ' ');
+    const char* const gap = row.data() + FixedNumbers::kReachBefore - 1;
     double value = 0.0;
-    const FixedNumberReader reader(static_cast<int>(decimals));
-    const char* end = reader.read(padded_.data(), detail::load_eight(padded_.data()), 0, value);
+    const char* end = FixedNumbers(" ", static_cast<int>(decimals)).read(gap, 1, &value);
     if (end == nullptr) return std::nullopt;
-    return end == padded_.data() + text.size() ? value : std::nan("");
+    return end == gap + 1 + text.size() ? value : std::nan("");
   }
 
   std::string padded_;

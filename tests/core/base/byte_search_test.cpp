@@ -35,5 +35,17 @@ TEST(ByteSearch, FindsTheFirstByteBeyondAscii) {
   EXPECT_EQ(find_beyond_ascii("abc", 7), std::string::npos);
 }
 
+TEST(ByteSearch, FindsTheLastLineEnd) {
+  for (std::size_t size = 0; size < 200; ++size) {
+    EXPECT_EQ(find_last_line_end(std::string(size, ' ')), std::string::npos);
+    for (std::size_t at = 0; at < size; ++at) {
+      std::string text(size, ' ');
+      text[0] = '\n';
+      text[at] = at % 2 == 0 ? '\r' : '\n';
+      ASSERT_EQ(find_last_line_end(text), text.find_last_of("\r\n")) << size << " " << at;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace marey

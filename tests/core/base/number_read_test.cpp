@@ -2,16 +2,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/bits.h"
-#include "core/base/fixed_number.h"
+#include "core/base/fixed_numbers.h"
 #include "core/base/index.h"
 #include "core/base/number_text.h"
 #include "core/base/plain_number.h"
@@ -154,43 +156,79 @@ TEST(ScanPlainNumber, RefusesWhatIsNotPlain) {
   }
 }
 
-TEST(FixedNumberReader, ReadsExactlyWhatIsWrittenWithItsDecimals) {
-  Random random(4);
-  int read_count = 0;
-  for (int i = 0; i < 200'000; ++i) {
-    const std::string text = random_number_text(random);
-    const int gap = random.below(FixedNumberReader::kLongestGap + 1);
-    const std::string line = std::string(idx(gap), ' ') + text + "\n" + std::string(kPlainNumberReach, '1');
-    const int decimals = 1 + random.below(FixedNumberReader::kMostDecimals);
-    double value = 0.0;
-    const char* end = FixedNumberReader(decimals).read(line.data(), detail::load_eight(line.data()), gap, value);
-    if (end == nullptr) continue;
-    ++read_count;
-    ASSERT_EQ(end, line.data() + idx(gap) + text.size()) << text;
-    ASSERT_TRUE(same_bits(value, std::strtod(text.c_str(), nullptr))) << text;
-    std::string written;
-    append_number(value, {.form = NumberFormat::Form::Fixed, .decimals = static_cast<std::uint8_t>(decimals)}, written);
-    ASSERT_EQ(written, text);
+/// A row for FixedNumbers, between what it may look at.
+class FixedRow {
+ public:
+  explicit FixedRow(std::string text)
+      : text_(std::string(FixedNumbers::kReachBefore, '1') + std::move(text)), size_(text_.size()) {
+    text_.append(FixedNumbers::kReachPerNumber * kMostNumbers + FixedNumbers::kReachBehind, '1');
   }
-  EXPECT_GT(read_count, 2'000);
+  static constexpr int kMostNumbers = 12;
+  [[nodiscard]] bool read(const FixedNumbers& numbers, int count, double* values) const {
+    const char* end = numbers.read(text_.data() + FixedNumbers::kReachBefore, count, values);
+    EXPECT_TRUE(end == nullptr || end == text_.data() + size_ - 1) << text_;
+    return end != nullptr;
+  }
+
+ private:
+  std::string text_;
+  std::size_t size_;
+};
+
+bool is_usual(const std::string& text, int decimals) {
+  const std::size_t begin = text[0] == '-' ? 1 : 0;
+  const std::size_t point = text.find('.');
+  if (point == std::string::npos || text.size() != point + 1 + idx(decimals)) return false;
+  const auto is_digits = [&](std::size_t from, std::size_t to) { return from < to && text.find_first_not_of("0123456789", from) >= to; };
+  return is_digits(begin, point) && is_digits(point + 1, text.size()) && (text[begin] != '0' || point == begin + 1);
 }
 
-TEST(FixedNumberReader, RefusesEverythingElse) {
-  const auto read = [](const std::string& text, double& value) {
-    const std::string line = " " + text + "\n" + std::string(kPlainNumberReach, '1');
-    return FixedNumberReader(2).read(line.data(), detail::load_eight(line.data()), 1, value) != nullptr;
-  };
-  double value = 0.0;
-  for (const std::string text : {"1.5", "1.555", ".55", "01.55", "1,55", "1.5x", "x.55", "-.55", "--1.55", "1.55e1", "12345678.55",
-                                 "1.-5", "1 .55", "+1.55", "nan", "1.5:", "1.:5", "/.55", ":.55", "1.55-2"}) {
-    EXPECT_FALSE(read(text, value)) << text;
+TEST(FixedNumbers, ReadRowsOfWhatIsWrittenWithTheirDecimals) {
+  Random random(4);
+  std::array<double, FixedRow::kMostNumbers> values{};
+  int rows_read = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const std::string gap = std::string(1, " \t\n"[random.below(3)]) + std::string(idx(random.below(3)), ' ');
+    const int decimals = 1 + random.below(FixedNumbers::kMostDecimals);
+    const int count = 1 + random.below(FixedRow::kMostNumbers);
+    std::vector<std::string> texts;
+    std::string row;
+    bool all_usual = true;
+    for (int k = 0; k < count; ++k) {
+      std::string text;
+      if (random.below(20) == 0) {
+        text = random_number_text(random);
+      } else {
+        text = fmt::format("{:.{}f}", random.between(-1.0, 1.0) * std::pow(10.0, random.below(7)), decimals);
+      }
+      all_usual = all_usual && is_usual(text, decimals) && gap.size() + text.find('.') <= 7;
+      texts.push_back(text);
+      row += gap + text;
+    }
+    ASSERT_EQ(FixedRow(row + " ").read(FixedNumbers(gap, decimals), count, values.data()), all_usual) << row;
+    if (!all_usual) continue;
+    ++rows_read;
+    for (std::size_t k = 0; k < texts.size(); ++k) ASSERT_TRUE(same_bits(values[k], std::strtod(texts[k].c_str(), nullptr))) << texts[k];
   }
-  EXPECT_TRUE(read("-1.55", value));
-  EXPECT_EQ(value, -1.55);
-  EXPECT_TRUE(read("-0.00", value));
-  EXPECT_TRUE(same_bits(value, -0.0));
-  const std::string sound = "1.55 " + std::string(kPlainNumberReach, '1');
-  EXPECT_EQ(FixedNumberReader().read(sound.data(), detail::load_eight(sound.data()), 0, value), nullptr);
+  EXPECT_GT(rows_read, 20'000);
+}
+
+TEST(FixedNumbers, RefuseEverythingElse) {
+  const auto read = [](const std::string& text, std::span<double, 3> values) {
+    return FixedRow(" 2.75 " + text + " 3.25\n").read(FixedNumbers(" ", 2), 3, values.data());
+  };
+  std::array<double, 3> values{};
+  for (const std::string text : {"1.5", "1.555", ".55", "01.55", "1,55", "1.5x", "x.55", "-.55", "--1.55", "1.55e1", "12345678.55",
+                                 "1.-5", "1 .55", "+1.55", "nan", "1.5:", "1.:5", "/.55", ":.55", "1.55-2", "", "1.55 ", " 1.55", "5", "1.\xb5" "5"}) {
+    EXPECT_FALSE(read(text, values)) << text;
+  }
+  EXPECT_TRUE(read("-1.55", values));
+  EXPECT_EQ(values[1], -1.55);
+  EXPECT_TRUE(read("-0.00", values));
+  EXPECT_TRUE(same_bits(values[1], -0.0));
+  EXPECT_TRUE(read("123456.78", values));
+  EXPECT_EQ(values, (std::array<double, 3>{2.75, 123456.78, 3.25}));
+  EXPECT_FALSE(FixedRow(" 1.555").read(FixedNumbers(" ", 2), 1, values.data())) << "the last one goes on";
 }
 
 TEST(NotFiniteText, KnowsTheSpellingsOfCLibraries) {
