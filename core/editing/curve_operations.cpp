@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/editing/gaussian_smoothing.h"
+#include "core/signal/gaussian_smoothing.h"
 
 namespace marey {
 namespace {
@@ -135,12 +135,14 @@ Edit make_value_edit(const Clip& clip, const SampleSelection& selection, double 
   return make_mapped_edit(clip, selection, "Set", [=](double) { return value; });
 }
 
+double scaled_about(double pivot, double factor, double value) {
+  // A factor of 1 keeps the bits, which the formula would round.
+  const bool stays = factor == 1.0 || !std::isfinite(value);
+  return stays ? value : pivot + factor * (value - pivot);
+}
+
 Edit make_scale_edit(const Clip& clip, const SampleSelection& selection, double factor, double pivot) {
-  return make_mapped_edit(clip, selection, "Scale", [=](double before) {
-    // A factor of 1 keeps the bits, which the formula would round.
-    const bool stays = factor == 1.0 || !std::isfinite(before);
-    return stays ? before : pivot + factor * (before - pivot);
-  });
+  return make_mapped_edit(clip, selection, "Scale", [=](double before) { return scaled_about(pivot, factor, before); });
 }
 
 Edit make_smooth_edit(const Clip& clip, const SampleSelection& selection, double sigma_frames) {

@@ -26,8 +26,10 @@ struct Falloff {
 /// Gives all selected samples one value.
 [[nodiscard]] Edit make_value_edit(const Clip& clip, const SampleSelection& selection, double value);
 
-/// Scales the selected samples about a pivot: v' = pivot + factor (v - pivot). Samples that are not finite
-/// stay.
+/// pivot + factor (value - pivot); values that are not finite stay, and a factor of 1 keeps the bits.
+[[nodiscard]] double scaled_about(double pivot, double factor, double value);
+
+/// Scales the selected samples about a pivot, see scaled_about().
 [[nodiscard]] Edit make_scale_edit(const Clip& clip, const SampleSelection& selection, double factor, double pivot);
 
 /// Smooths each selected run with a Gaussian of standard deviation `sigma_frames` > 0 (at most the length of the clip),

@@ -1,7 +1,7 @@
 // Who may include whom. The one place where the arrows between rooms stand.
 const basics = ["core/base", "core/text", "core/math", "core/skeleton", "core/motion"];
 const mechanics = [...basics, "core/kinematics"];
-const core = [...mechanics, "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
+const core = [...mechanics, "core/signal", "core/bvh", "core/structure", "core/mesh", "core/editing", "core/biomechanics",
   "core/retargeting", "core/constraints", "core/table", "core/lint",
   "core/interchange", "core/document"];
 
@@ -9,14 +9,15 @@ const arrows = {
   "core/base": [],
   "core/text": ["core/base"],
   "core/math": ["core/base"],
+  "core/signal": ["core/base", "core/math"],
   "core/skeleton": ["core/base", "core/text", "core/math"],
   "core/motion": ["core/base", "core/text", "core/math", "core/skeleton"],
   "core/bvh": basics,
   "core/structure": basics,
   "core/mesh": basics,
   "core/kinematics": basics,
-  "core/editing": mechanics,
-  "core/biomechanics": mechanics,
+  "core/editing": [...mechanics, "core/signal"],
+  "core/biomechanics": [...mechanics, "core/signal"],
   "core/retargeting": mechanics,
   "core/constraints": mechanics,
   "core/table": [...mechanics, "core/bvh"],
@@ -67,6 +68,7 @@ export function check(files) {
 }
 
 export const seeds = [
+  { path: "core/signal/seed.h", text: '#include "core/motion/clip.h"\n' },
   { path: "core/bvh/seed.cpp", text: '#include "core/kinematics/pose.h"\n' },
   { path: "core/motion/seed.h", text: '#include "core/document/document.h"\n' },
   { path: "core/base/seed.h", text: '#include "wasm/app/app.h"\n' },

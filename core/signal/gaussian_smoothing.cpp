@@ -1,4 +1,4 @@
-#include "core/editing/gaussian_smoothing.h"
+#include "core/signal/gaussian_smoothing.h"
 
 #include <algorithm>
 #include <array>
@@ -7,39 +7,13 @@
 #include <limits>
 #include <vector>
 
+#include "core/signal/continued_curve.h"
+
 namespace marey {
 namespace {
 
 constexpr double kKernelCutSigmas = 4.0;
 constexpr std::size_t kBlock = 256;  // frames whose sums stay in the first cache while the kernel passes
-
-/// A curve without ends: point reflection about the first and last finite sample, again and again.
-class ContinuedCurve {
- public:
-  explicit ContinuedCurve(std::span<const double> curve) : curve_(curve), last_(std::ssize(curve) - 1) {
-    while (first_ < last_ && !std::isfinite(at(first_))) ++first_;
-    while (last_ > first_ && !std::isfinite(at(last_))) --last_;
-  }
-
-  [[nodiscard]] double operator[](std::int64_t frame) const {
-    if (frame >= first_ && frame <= last_) return at(frame);
-    const std::int64_t span = last_ - first_;
-    if (span <= 0) return at(first_);
-    const std::int64_t period = 2 * span;
-    const std::int64_t from_first = frame - first_;
-    const std::int64_t phase = ((from_first % period) + period) % period;
-    const double rise = 2.0 * (at(last_) - at(first_)) * static_cast<double>((from_first - phase) / period);
-    if (phase <= span) return at(first_ + phase) + rise;
-    return 2.0 * at(last_) - at(first_ + period - phase) + rise;
-  }
-
- private:
-  [[nodiscard]] double at(std::int64_t frame) const { return curve_[static_cast<std::size_t>(frame)]; }
-
-  std::span<const double> curve_;
-  std::int64_t first_ = 0;
-  std::int64_t last_ = 0;
-};
 
 std::vector<double> make_half_kernel(double sigma_frames) {
   std::vector<double> weights(static_cast<std::size_t>(kKernelCutSigmas * sigma_frames) + 1);
@@ -87,10 +61,7 @@ void compute_gaussian_smoothed(std::span<const double> curve, FrameRange run, do
     const std::size_t count = std::min(kBlock, idx(run.count) - done);
     smooth_block(center + done, count, weights, smoothed.data() + done);
   }
-  const std::span<const double> originals = curve.subspan(idx(run.first), idx(run.count));
-  for (std::size_t i = 0; i < originals.size(); ++i) {
-    if (!std::isfinite(originals[i])) smoothed[i] = originals[i];
-  }
+  keep_missing(curve.subspan(idx(run.first), idx(run.count)), smoothed);
 }
 
 }  // namespace marey

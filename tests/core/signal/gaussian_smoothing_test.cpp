@@ -1,4 +1,4 @@
-#include "core/editing/gaussian_smoothing.h"
+#include "core/signal/gaussian_smoothing.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
