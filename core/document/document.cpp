@@ -38,14 +38,14 @@ std::vector<FrameIndex> as_listed(const std::vector<FrameIndex>& file_frames, in
   return all;
 }
 
-/// Where each of `wanted` stands in `frames`, -1 where it does not. Both rise.
+/// Where each of `wanted` stands in `frames`, -1 where it does not or is a new frame. Both rise but for new frames.
 std::vector<FrameIndex> places_in(const std::vector<FrameIndex>& frames, const std::vector<FrameIndex>& wanted) {
   std::vector<FrameIndex> places;
   places.reserve(wanted.size());
   auto at = frames.begin();
   for (const FrameIndex frame : wanted) {
-    while (at != frames.end() && *at < frame) ++at;
-    places.push_back(at != frames.end() && *at == frame ? static_cast<FrameIndex>(at - frames.begin()) : -1);
+    while (frame != kNewFrame && at != frames.end() && *at < frame) ++at;
+    places.push_back(frame != kNewFrame && at != frames.end() && *at == frame ? static_cast<FrameIndex>(at - frames.begin()) : -1);
   }
   return places;
 }

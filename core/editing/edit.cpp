@@ -49,6 +49,20 @@ Status check_offset(const Skeleton& skeleton, const OffsetChange& change) {
   return {};
 }
 
+std::int64_t count_missing(std::span<const double> samples) {
+  return std::count_if(samples.begin(), samples.end(), [](double value) { return !std::isfinite(value); });
+}
+
+// Frames that give way may take their missing samples along; a change makes no more of them in any channel.
+bool inserts_more_missing(const Motion& motion, const FramesChange& change) {
+  if (count_missing(change.inserted.samples()) == 0) return false;
+  for (ChannelIndex channel = 0; channel < motion.channel_count(); ++channel) {
+    const auto removed = motion.channel_samples(channel).subspan(idx(change.removed.first), idx(change.removed.count));
+    if (count_missing(change.inserted.channel_samples(channel)) > count_missing(removed)) return true;
+  }
+  return false;
+}
+
 Status check_frames(const Clip& clip, const Edit& edit) {
   const FramesChange& change = *edit.frames;
   const Motion& motion = clip.motion;
@@ -65,8 +79,7 @@ Status check_frames(const Clip& clip, const Edit& edit) {
   if (motion.frame_count() > 0 && motion.frame_count() - removed.count + change.inserted.frame_count() == 0) {
     return refusal(DiagnosticCode::InvalidArgument, "A clip keeps one frame at least.");
   }
-  const std::span<const double> samples = change.inserted.samples();
-  if (!std::all_of(samples.begin(), samples.end(), [](double value) { return std::isfinite(value); })) {
+  if (inserts_more_missing(motion, change)) {
     return refusal(DiagnosticCode::NotFinite, "The frames to insert hold a value that is not a finite number.");
   }
   return {};
@@ -144,6 +157,22 @@ void cut_to_difference(std::span<const double> present, SamplesChange& change) {
   change.first += static_cast<FrameIndex>(begin);
 }
 
+// Whether frames give way to the same ones.
+bool leaves_frames(const Clip& clip, const FramesChange& change) {
+  if (change.removed.count != size_of(change.file_frames)) return false;
+  for (int i = 0; i < change.removed.count; ++i) {
+    const FrameIndex frame = change.removed.first + i;
+    if (change.file_frames[idx(i)] != (clip.file_frames.empty() ? frame : clip.file_frames[idx(frame)])) return false;
+  }
+  if (change.removed.count == 0) return true;
+  for (ChannelIndex channel = 0; channel < clip.motion.channel_count(); ++channel) {
+    const auto present = clip.motion.channel_samples(channel).subspan(idx(change.removed.first), idx(change.removed.count));
+    const auto inserted = change.inserted.channel_samples(channel);
+    if (!std::equal(present.begin(), present.end(), inserted.begin(), same_bits<double>)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Status check_edit(const Clip& clip, const Edit& edit) {
@@ -171,7 +200,7 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
   std::erase_if(edit.offsets, [&](const OffsetChange& change) {
     return same_bits(clip.skeleton.node(change.node).offset, change.offset);
   });
-  if (edit.frames && edit.frames->removed.count == 0 && edit.frames->file_frames.empty()) edit.frames.reset();
+  if (edit.frames && leaves_frames(clip, *edit.frames)) edit.frames.reset();
   if (edit.settings == clip.settings) edit.settings.reset();
   if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
   return edit;

@@ -27,7 +27,7 @@ struct OffsetChange {
 struct FramesChange {
   FrameRange removed;
   Motion inserted;                      ///< has the clip's channels; its frame time does not count
-  std::vector<FrameIndex> file_frames;  ///< of the inserted frames, as in Clip
+  std::vector<FrameIndex> file_frames;  ///< of the inserted frames, as in Clip; kNewFrame for new ones
 };
 
 /// A change of a clip as a value: a name for the Edit menu ("Smooth 3 channels") and the new content of what it
@@ -49,7 +49,7 @@ struct Edit {
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
 /// overlap, a unit of length that is not positive; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
 /// is_frame_time(); with NotFinite: an offset that is not finite, a sample that would stop being finite (one that is not
-/// finite already may stay so), and one of the frames to insert.
+/// finite already may stay so), and frames to insert with more such samples in a channel than those that give way.
 [[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);
 
 /// The part of `edit` that changes the clip: samples are cut to the frames from the first to the last whose bits

@@ -19,13 +19,17 @@ struct ClipSettings {
   friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
 };
 
+/// In Clip::file_frames: a frame that was made by an edit.
+inline constexpr FrameIndex kNewFrame = -1;
+
 /// A figure and its motion. motion.channel_count() == skeleton.channel_count() and the names of the skeleton are read in
 /// settings.names_in, always.
 struct Clip {
   Skeleton skeleton;
   Motion motion;
   ClipSettings settings;
-  /// By frame: which frame of the opened file it was, rising. Empty as long as all of them are there.
+  /// By frame: which frame of the opened file it was, rising; kNewFrame for one that the file does not have. Empty as long
+  /// as all of the file's are there and no other.
   std::vector<FrameIndex> file_frames{};
 };
 

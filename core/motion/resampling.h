@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/base/result.h"
 #include "core/motion/motion.h"
 #include "core/skeleton/skeleton.h"
@@ -19,6 +21,13 @@ namespace marey {
 ///
 /// Error InvalidArgument: the rate is no number, its inverse is no is_frame_time(), or it gives more than kMaxResampledSamples samples.
 [[nodiscard]] Result<Motion> resampled(const Skeleton& skeleton, const Motion& motion, double new_rate_hz);
+
+/// A place between frames; within a millionth of a frame, that frame: the ratio of two rates is rarely exact.
+[[nodiscard]] double snapped_to_frame(double frame);
+
+/// The movement at any times, in the same way: each of `frames` counts in frames of the motion, with fraction, is snapped to
+/// frames that are close and clamped to what the motion has, which is one frame at least. The frame time stays.
+[[nodiscard]] Motion resampled_at(const Skeleton& skeleton, const Motion& motion, std::span<const double> frames);
 
 /// 1 GiB.
 inline constexpr double kMaxResampledSamples = 134'217'728.0;
