@@ -19,6 +19,7 @@ std::string range_text(const OperationParameter& parameter) {
     case ParameterKind::Frame: return fmt::format("a frame from 1; {} by default", parameter.initial + 1.0);
     case ParameterKind::Points: return "FRAME:FRAME,FRAME:FRAME...";
     case ParameterKind::File: return "a BVH file";
+    case ParameterKind::Text: return "a text";
     case ParameterKind::Number:
     case ParameterKind::Whole: break;
   }
@@ -33,6 +34,7 @@ std::string_view target_text(OperationReach reach) {
     case OperationReach::Joints: return "joints, channels, frames, blend-in, blend-out, weight";
     case OperationReach::Roots: return "frames, blend-in, blend-out, weight";
     case OperationReach::Frames: return "frames";
+    case OperationReach::Figure: return "joints";
     case OperationReach::Clip: break;
   }
   return "";

@@ -83,6 +83,7 @@ std::string_view kind_id(ParameterKind kind) {
     case ParameterKind::YesNo: return "yes_no";
     case ParameterKind::Points: return "points";
     case ParameterKind::File: return "file";
+    case ParameterKind::Text: return "text";
   }
   return "";
 }
@@ -94,6 +95,7 @@ std::string_view reach_id(OperationReach reach) {
     case OperationReach::Roots: return "roots";
     case OperationReach::Frames: return "frames";
     case OperationReach::Clip: return "clip";
+    case OperationReach::Figure: return "figure";
   }
   return "";
 }
@@ -101,7 +103,7 @@ std::string_view reach_id(OperationReach reach) {
 Json parameter_json(const OperationParameter& parameter) {
   Json json = {{"name", parameter.name}, {"label", parameter.label}, {"unit", parameter.unit}, {"help", parameter.help},
                {"kind", kind_id(parameter.kind)}};
-  if (parameter.kind == ParameterKind::Points || parameter.kind == ParameterKind::File) return json;
+  if (is_text(parameter.kind)) return json;
   json["initial"] = parameter.initial;
   json["least"] = parameter.least;
   json["most"] = parameter.most;

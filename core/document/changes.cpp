@@ -22,6 +22,7 @@ std::string describe(const Changes& changes) {
   if (changes.samples > 0) add(describe_samples(changes));
   if (changes.removed_frames > 0) add(counted(changes.removed_frames, "frame") + " left out");
   if (changes.added_frames > 0) add(counted(changes.added_frames, "frame") + " added");
+  if (changes.figure) add("the figure");
   if (changes.offsets > 0) add(counted(changes.offsets, "offset"));
   if (changes.frame_time) add("the frame time");
   return text.empty() ? "nothing" : text;

@@ -14,11 +14,12 @@ struct Changes {
   FrameRange frames;         ///< from the first to the last frame with such a sample
   int removed_frames = 0;
   int added_frames = 0;
+  bool figure = false;       ///< other joints, names or channels; then samples and offsets are not compared
   int offsets = 0;           ///< of joints and end sites
   bool frame_time = false;
 
   [[nodiscard]] bool empty() const {
-    return samples == 0 && offsets == 0 && removed_frames == 0 && added_frames == 0 && !frame_time;
+    return samples == 0 && !figure && offsets == 0 && removed_frames == 0 && added_frames == 0 && !frame_time;
   }
 };
 

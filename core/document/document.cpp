@@ -74,7 +74,7 @@ Status Document::apply(Edit edit) {
 }
 
 Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_edit) {
-  const ScopeExit forget([this] { forget_restored_frames(); });
+  const ScopeExit forget([this] { forget_restored_parts(); });
   keep_gesture_ghosts(gesture);
   return history_.apply_gesture(clip_, gesture, [&](const Clip& clip) {
     Edit edit = make_edit(clip);
@@ -87,19 +87,19 @@ Status Document::apply_gesture(GestureId gesture, const History::MakeEdit& make_
 }
 
 void Document::cancel_gesture(GestureId gesture) {
-  const ScopeExit forget([this] { forget_restored_frames(); });
+  const ScopeExit forget([this] { forget_restored_parts(); });
   keep_gesture_ghosts(gesture);
   history_.cancel_gesture(clip_, gesture);
 }
 
 bool Document::undo() {
-  const ScopeExit forget([this] { forget_restored_frames(); });
+  const ScopeExit forget([this] { forget_restored_parts(); });
   if (const Edit* edit = history_.undo_edit()) keep_ghosts(*edit);
   return history_.undo(clip_);
 }
 
 bool Document::redo() {
-  const ScopeExit forget([this] { forget_restored_frames(); });
+  const ScopeExit forget([this] { forget_restored_parts(); });
   if (const Edit* edit = history_.redo_edit()) keep_ghosts(*edit);
   return history_.redo(clip_);
 }
@@ -121,17 +121,20 @@ void Document::mark_saved() {
   ++save_count_;
   saved_samples_.clear();
   saved_file_frames_.reset();
+  saved_skeleton_.reset();
   saved_offsets_.clear();
   saved_frame_time_s_.reset();
 }
 
 std::span<const double> Document::saved_samples(ChannelIndex channel) const {
   const auto found = saved_samples_.find(channel);
-  return found == saved_samples_.end() || saved_file_frames_ ? std::span<const double>() : std::span<const double>(found->second);
+  const bool has_none = found == saved_samples_.end() || saved_file_frames_ || saved_skeleton_;
+  return has_none ? std::span<const double>() : std::span<const double>(found->second);
 }
 
-void Document::forget_restored_frames() {
+void Document::forget_restored_parts() {
   if (saved_file_frames_ && clip_.file_frames == *saved_file_frames_) saved_file_frames_.reset();
+  if (saved_skeleton_ && clip_.skeleton == *saved_skeleton_) saved_skeleton_.reset();
 }
 
 void Document::find_sample_changes(Changes& changes) const {
@@ -142,6 +145,7 @@ void Document::find_sample_changes(Changes& changes) const {
   const int kept = frame_count - static_cast<int>(std::count(saved_places.begin(), saved_places.end(), -1));
   changes.removed_frames = size_of(saved_frames) - kept;
   changes.added_frames = frame_count - kept;
+  if (saved_skeleton_) return;
   for (const auto& [channel, saved] : saved_samples_) {
     const std::span<const double> samples = clip_.motion.channel_samples(channel);
     const std::int64_t before = changes.samples;
@@ -158,25 +162,32 @@ void Document::find_sample_changes(Changes& changes) const {
 Changes Document::find_changes() const {
   Changes changes;
   find_sample_changes(changes);
-  for (const auto& [node, saved] : saved_offsets_) changes.offsets += saved != clip_.skeleton.node(node).offset ? 1 : 0;
+  changes.figure = saved_skeleton_.has_value();
+  if (!changes.figure) {
+    for (const auto& [node, saved] : saved_offsets_) changes.offsets += saved != clip_.skeleton.node(node).offset ? 1 : 0;
+  }
   changes.frame_time = saved_frame_time_s_ && *saved_frame_time_s_ != clip_.motion.frame_time_s();
   return changes;
 }
 
 void Document::keep_channel_ghost(ChannelIndex channel) {
-  if (saved_samples_.contains(channel)) return;
+  if (saved_skeleton_ || saved_samples_.contains(channel)) return;
   const std::span<const double> samples = clip_.motion.channel_samples(channel);
   saved_samples_.emplace(channel, std::vector<double>(samples.begin(), samples.end()));
 }
 
 void Document::keep_ghosts(const Edit& edit) {
+  if (edit.figure && !saved_skeleton_) {
+    for (ChannelIndex channel = 0; channel < clip_.motion.channel_count(); ++channel) keep_channel_ghost(channel);
+    saved_skeleton_ = clip_.skeleton;
+  }
   for (const SamplesChange& change : edit.samples) keep_channel_ghost(change.channel);
   if (edit.frames && !saved_file_frames_) {
     for (ChannelIndex channel = 0; channel < clip_.motion.channel_count(); ++channel) keep_channel_ghost(channel);
     saved_file_frames_ = as_listed(clip_.file_frames, clip_.motion.frame_count());
   }
   for (const OffsetChange& change : edit.offsets) {
-    saved_offsets_.try_emplace(change.node, clip_.skeleton.node(change.node).offset);
+    if (!saved_skeleton_) saved_offsets_.try_emplace(change.node, clip_.skeleton.node(change.node).offset);
   }
   if (edit.frame_time_s && !saved_frame_time_s_) saved_frame_time_s_ = clip_.motion.frame_time_s();
 }

@@ -56,8 +56,8 @@ class Document {
   /// How often mark_saved() was called; for caches of what is derived from the ghosts.
   [[nodiscard]] std::uint64_t save_count() const { return save_count_; }
 
-  /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched, and
-  /// while frames are missing that were there.
+  /// The samples of a channel as last opened or saved, for the ghost curve; empty while the channel is untouched, while
+  /// frames are missing that were there, and while the figure is another one.
   [[nodiscard]] std::span<const double> saved_samples(ChannelIndex channel) const;
   /// In what a download would differ from what was last opened or saved. Looks at every sample of the touched channels.
   [[nodiscard]] Changes find_changes() const;
@@ -67,7 +67,7 @@ class Document {
   void keep_ghosts(const Edit& edit);
   void keep_gesture_ghosts(GestureId gesture);
   void keep_channel_ghost(ChannelIndex channel);
-  void forget_restored_frames();
+  void forget_restored_parts();
   void find_sample_changes(Changes& changes) const;
 
   Clip clip_;
@@ -81,6 +81,7 @@ class Document {
   std::uint64_t save_count_ = 0;
   std::map<ChannelIndex, std::vector<double>> saved_samples_;
   std::optional<std::vector<FrameIndex>> saved_file_frames_;  // as Clip::file_frames; nothing while all are there
+  std::optional<Skeleton> saved_skeleton_;  // while the figure is another one; the ghosts are then by its channels and nodes
   std::map<NodeIndex, glm::dvec3> saved_offsets_;
   std::optional<double> saved_frame_time_s_;
 };

@@ -85,6 +85,23 @@ Status check_frames(const Clip& clip, const Edit& edit) {
   return {};
 }
 
+Status check_figure(const Clip& clip, const Edit& edit) {
+  const auto& [skeleton, motion] = *edit.figure;
+  const bool fits = skeleton.channel_count() == motion.channel_count() && skeleton.joint_count() > 0 &&
+                    motion.frame_count() == clip.motion.frame_count() &&
+                    same_bits(motion.frame_time_s(), clip.motion.frame_time_s());
+  const bool is_alone = edit.samples.empty() && edit.offsets.empty() && !edit.frames &&
+                        (!edit.settings || edit.settings->names_in == clip.settings.names_in);
+  if (!fits || !is_alone) return refusal(DiagnosticCode::InvalidArgument, "The new figure does not fit the clip.");
+  for (const Node& node : skeleton.nodes()) {
+    if (Status status = check_offset(skeleton, {skeleton.node_of(node.joint), node.offset}); !status) return status;
+  }
+  if (count_missing(motion.samples()) > count_missing(clip.motion.samples())) {
+    return refusal(DiagnosticCode::NotFinite, "The new figure would have a sample that is not a finite number.");
+  }
+  return {};
+}
+
 bool is_positive(double value) { return std::isfinite(value) && value > 0.0; }
 
 Status check_scalars(const Edit& edit) {
@@ -185,6 +202,9 @@ Status check_edit(const Clip& clip, const Edit& edit) {
   if (edit.frames) {
     if (Status status = check_frames(clip, edit); !status) return status;
   }
+  if (edit.figure) {
+    if (Status status = check_figure(clip, edit); !status) return status;
+  }
   if (Status status = check_scalars(edit); !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
     return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
@@ -201,6 +221,11 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
     return same_bits(clip.skeleton.node(change.node).offset, change.offset);
   });
   if (edit.frames && leaves_frames(clip, *edit.frames)) edit.frames.reset();
+  if (edit.figure && edit.figure->skeleton == clip.skeleton &&
+      std::equal(clip.motion.samples().begin(), clip.motion.samples().end(), edit.figure->motion.samples().begin(),
+                 same_bits<double>)) {
+    edit.figure.reset();
+  }
   if (edit.settings == clip.settings) edit.settings.reset();
   if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
   return edit;
@@ -217,6 +242,10 @@ void swap_edit(Clip& clip, Edit& edit) {
     clip.motion = std::move(prepared->motion);
     clip.file_frames = std::move(prepared->file_frames);
     *edit.frames = std::move(prepared->back);
+  }
+  if (edit.figure) {
+    std::swap(clip.skeleton, edit.figure->skeleton);
+    std::swap(clip.motion, edit.figure->motion);
   }
   for (SamplesChange& change : edit.samples) {
     const std::span<double> present = clip.motion.channel_samples(change.channel).subspan(idx(change.first));
@@ -240,6 +269,11 @@ std::size_t edit_bytes(const Edit& edit) {
   for (const SamplesChange& change : edit.samples) {
     bytes += sizeof(SamplesChange) + change.values.size() * sizeof(double);
   }
+  if (edit.figure) {
+    const Skeleton& skeleton = edit.figure->skeleton;
+    bytes += edit.figure->motion.samples().size() * sizeof(double) + idx(skeleton.node_count()) * sizeof(Node) +
+             idx(skeleton.channel_count()) * sizeof(Channel);
+  }
   if (edit.frames) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
@@ -248,7 +282,7 @@ std::size_t edit_bytes(const Edit& edit) {
 
 FrameRange edited_frames(const Clip& clip, const Edit& edit) {
   const bool moves_rule = edit.settings && edit.settings->position_rule != clip.settings.position_rule;
-  if (moves_rule || edit.frames || !edit.offsets.empty()) return {0, clip.motion.frame_count()};
+  if (moves_rule || edit.frames || edit.figure || !edit.offsets.empty()) return {0, clip.motion.frame_count()};
   FrameRange frames;
   for (const SamplesChange& change : edit.samples) frames = hull(frames, {change.first, size_of(change.values)});
   return frames;

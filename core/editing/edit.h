@@ -30,24 +30,32 @@ struct FramesChange {
   std::vector<FrameIndex> file_frames;  ///< of the inserted frames, as in Clip; kNewFrame for new ones
 };
 
+/// Another figure, with all samples that move it: what changes joints, names or channels. As many frames, the same frame
+/// time, the names read in the clip's character set.
+struct FigureChange {
+  Skeleton skeleton;
+  Motion motion;
+};
+
 /// A change of a clip as a value: a name for the Edit menu ("Smooth 3 channels") and the new content of what it
 /// touches, nothing else, so that the history stores deltas. Changes of one edit do not overlap; one that takes frames away
-/// or brings them back changes no other samples.
+/// or brings them back changes no other samples, one of the figure changes nothing else but settings and frame time.
 struct Edit {
   std::string name;
   std::vector<SamplesChange> samples;
   std::vector<OffsetChange> offsets;
   std::optional<FramesChange> frames;
+  std::optional<FigureChange> figure;
   std::optional<ClipSettings> settings;
   std::optional<double> frame_time_s;
 
   [[nodiscard]] bool empty() const {
-    return samples.empty() && offsets.empty() && !frames && !settings && !frame_time_s;
+    return samples.empty() && offsets.empty() && !frames && !figure && !settings && !frame_time_s;
   }
 };
 
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
-/// overlap, a unit of length that is not positive; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
+/// overlap, a unit of length that is not positive, a figure that does not fit its samples or the clip's frames; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
 /// is_frame_time(); with NotFinite: an offset that is not finite, a sample that would stop being finite (one that is not
 /// finite already may stay so), and frames to insert with more such samples in a channel than those that give way.
 [[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);
@@ -65,7 +73,7 @@ void swap_edit(Clip& clip, Edit& edit);
 [[nodiscard]] std::size_t edit_bytes(const Edit& edit);
 
 /// Frames whose poses an edit changes: the hull of its samples; the whole clip, as it is now, for an offset, another
-/// position rule or another number of frames; none for the frame time and the other settings. But for the number of
+/// figure, another position rule or another number of frames; none for the frame time and the other settings. But for the number of
 /// frames the same before and after swap_edit().
 [[nodiscard]] FrameRange edited_frames(const Clip& clip, const Edit& edit);
 

@@ -23,6 +23,7 @@ Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}
 // Whether there is anything to work on.
 bool has_work(const Operation& operation, const OperationTarget& target) {
   if (operation.reach == OperationReach::Clip) return true;
+  if (operation.reach == OperationReach::Figure) return !target.joints.empty();
   if (target.weight <= 0.0) return false;
   if (operation.reach == OperationReach::Frames || operation.reach == OperationReach::Roots) return target.frames.count > 0;
   return target.frames.count > 0 && !(target.channels.empty() && target.joints.empty());
@@ -90,11 +91,10 @@ Status check_values(const Operation& operation, const OperationValues& values) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const OperationParameter& parameter = operation.parameters[i];
-    const bool is_text = parameter.kind == ParameterKind::Points || parameter.kind == ParameterKind::File;
     if (parameter.kind == ParameterKind::File && values.other == nullptr) {
       return refusal(fmt::format("'{}' wants another clip as '{}'.", operation.id, parameter.name));
     }
-    if (is_text) continue;
+    if (is_text(parameter.kind)) continue;
     if (Status status = check_value(parameter, values.numbers[i]); !status) return status;
   }
   return {};

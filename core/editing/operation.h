@@ -21,7 +21,11 @@ enum class ParameterKind : std::uint8_t {
   YesNo,   ///< as a number 1 or 0
   Points,  ///< pairs of frames "1:1,50:80", counted from 1
   File,    ///< another clip
+  Text,    ///< any words
 };
+
+/// Whether a value of this kind stands in OperationValues::texts; else it is a number.
+[[nodiscard]] constexpr bool is_text(ParameterKind kind) { return kind >= ParameterKind::Points; }
 
 /// One thing that an operation wants to know.
 struct OperationParameter {
@@ -40,7 +44,7 @@ struct OperationParameter {
 /// The values of an operation's parameters, one for each in their order.
 struct OperationValues {
   std::vector<double> numbers;
-  std::vector<std::string> texts;  ///< of Points and File as it was given; "" for the others
+  std::vector<std::string> texts;  ///< of the kinds that are texts, as they were given; "" for the others
   const Clip* other = nullptr;     ///< the clip that a File names; outlives the call
 };
 
@@ -51,6 +55,7 @@ enum class OperationReach : std::uint8_t {
   Roots,     ///< samples of the roots, whatever the channels of the target
   Frames,    ///< the frames of the target are added to, taken away or exchanged, with all channels
   Clip,      ///< the whole clip, whatever the target
+  Figure,    ///< the joints of the target themselves, in all frames: channels, names, offsets
 };
 
 struct OperationCall;

@@ -112,7 +112,7 @@ class Binder {
 
   Status bind_parameter(const RecipeWord& word, std::size_t place) {
     const OperationParameter& parameter = bound_.operation->parameters[place];
-    if (parameter.kind == ParameterKind::File || parameter.kind == ParameterKind::Points) {
+    if (is_text(parameter.kind)) {
       bound_.values.texts[place] = word.value;
       if (parameter.kind == ParameterKind::File) bound_.other_file = word.value;
       return {};

@@ -72,6 +72,14 @@ describe("marey edit", () => {
     refused(["edit", clip(), "-", "--do", `append from=${join(folder, "none.bvh")}`], /none\.bvh: error: The file cannot be opened/);
   });
 
+  test("changes the figure and gives back the file when it is changed back", () => {
+    const there = scratch("there.bvh", edit(swing, "rename from=* to=my_*", "up-axis to=z"));
+    assert.match(readFileSync(there, "latin1"), /ROOT my_Arms[\s\S]*CHANNELS \d [^\n]*Yrotation/);
+    const text = readFileSync(swing, "latin1");
+    assert.equal(edit(swing, "rename from=* to=my_*", "rename from=my_* to=*"), text);
+    assert.match(edit(swing, "change-order order=xyz"), /Xrotation Yrotation Zrotation/);
+  });
+
   test("refuses what it does not know, with place and nearest name", () => {
     const wrong = (step) => ["edit", clip(), "-", "--do", "reverse", "--do", step];
     refused(wrong("smoth"), /^marey: error: Step 2 \(smoth\), column 1: 'smoth' is no operation\. Did you mean 'smooth'\?$/m);
@@ -105,16 +113,16 @@ describe("marey edit", () => {
 });
 
 // As the page writes numbers: large ones with an exponent.
-const number = (value) => (Math.abs(value) >= 1e6 ? value.toExponential() : String(value));
+const number = (value) => (Math.abs(value) >= 1e6 || (value > 0 && value < 1e-4) ? value.toExponential() : String(value));
 
 function valuesOf({ kind, choices, least, most, unit }) {
-  const fixed = { yes_no: "`yes`, `no`", axis: "`x`, `y`, `z`", frame: "a frame from 1", points: "`FRAME:FRAME,...`", file: "a BVH file" };
+  const fixed = { yes_no: "`yes`, `no`", axis: "`x`, `y`, `z`", frame: "a frame from 1", points: "`FRAME:FRAME,...`", file: "a BVH file", text: "a text" };
   if (kind === "choice") return choices.map((choice) => `\`${choice}\``).join(", ");
   return fixed[kind] ?? `${number(least)} to ${number(most)}${unit && ` ${unit}`}`;
 }
 
 function defaultOf({ kind, choices, initial }) {
-  if (kind === "points" || kind === "file") return "";
+  if (["points", "file", "text"].includes(kind)) return "";
   if (kind === "choice") return `\`${choices[initial]}\``;
   if (kind === "yes_no") return initial ? "`yes`" : "`no`";
   if (kind === "axis") return `\`${"xyz"[initial]}\``;

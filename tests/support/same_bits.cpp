@@ -33,6 +33,11 @@ std::vector<std::uint64_t> bits_of(const Clip& clip) {
   for (const double sample : clip.motion.samples()) result.push_back(bits(sample));
   for (const Node& node : clip.skeleton.nodes()) {
     for (int axis = 0; axis < 3; ++axis) result.push_back(bits(node.offset[axis]));
+    result.push_back(static_cast<std::uint64_t>(node.parent) * 4 + (node.is_end_site ? 2 : 0) + (node.positions_add ? 1 : 0));
+    for (const char c : node.name_bytes) result.push_back(static_cast<unsigned char>(c));
+  }
+  for (const Channel& channel : clip.skeleton.channels()) {
+    result.push_back(static_cast<std::uint64_t>(channel.joint) * 16 + static_cast<std::uint64_t>(channel.kind));
   }
   for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
     result.push_back(static_cast<std::uint64_t>(clip.file_frames.empty() ? frame : clip.file_frames[idx(frame)]));

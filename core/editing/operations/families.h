@@ -18,10 +18,13 @@ namespace marey {
 [[nodiscard]] std::span<const Operation> timing_operations();
 [[nodiscard]] std::span<const Operation> frame_operations();
 [[nodiscard]] std::span<const Operation> joining_operations();
+[[nodiscard]] std::span<const Operation> figure_operations();
+[[nodiscard]] std::span<const Operation> axis_operations();
 
-[[nodiscard]] inline std::array<std::span<const Operation>, 9> operation_families() {
+[[nodiscard]] inline std::array<std::span<const Operation>, 11> operation_families() {
   return {filter_operations(),  value_operations(),  blend_operations(), rotation_operations(), mirror_operations(),
-          placing_operations(), timing_operations(), frame_operations(), joining_operations()};
+          placing_operations(), timing_operations(), frame_operations(), joining_operations(), axis_operations(),
+          figure_operations()};
 }
 
 }  // namespace marey

@@ -9,6 +9,7 @@
 
 #include "core/editing/clip_operations.h"
 #include "core/editing/curve_operations.h"
+#include "core/editing/figure_draft.h"
 #include "core/skeleton/skeleton_builder.h"
 
 namespace marey::test {
@@ -47,6 +48,23 @@ Edit make_random_settings_edit(Random& random, const Clip& clip) {
   settings.position_rule = random.one_in(2) ? PositionRule::Add : PositionRule::Replace;
   settings.metres_per_unit = make_number(random);
   return make_settings_edit(clip, settings);
+}
+
+// Another name, a channel less or more, or an end site less.
+Edit make_random_figure_edit(Random& random, const Clip& clip) {
+  FigureDraft draft = take_apart(clip);
+  NodeDraft& node = draft.nodes[idx(random.below(size_of(draft.nodes)))];
+  if (random.one_in(3)) node.name_bytes = "K" + std::to_string(random.below(3));
+  if (random.one_in(3) && !node.channels.empty()) node.channels.pop_back();
+  if (random.one_in(3) && !node.is_end_site) {
+    node.channels.push_back({ChannelKind::Zrotation, {}, std::vector<double>(idx(clip.motion.frame_count()), make_number(random))});
+  }
+  if (random.one_in(3) && draft.nodes.back().is_end_site) draft.nodes.pop_back();
+  Edit edit;
+  edit.name = "Change figure";
+  edit.figure = put_together(clip, std::move(draft)).value();
+  if (random.one_in(20)) edit.figure->motion = Motion();
+  return edit;
 }
 
 }  // namespace
@@ -107,7 +125,7 @@ SampleSelection make_random_selection(Random& random, const Clip& clip) {
 
 Edit make_random_edit(Random& random, const Clip& clip) {
   const SampleSelection selection = make_random_selection(random, clip);
-  switch (random.below(10)) {
+  switch (random.below(11)) {
     case 0:
       return make_move_edit(clip, selection, make_number(random), {random.between(-1, 9)});
     case 1:
@@ -126,6 +144,8 @@ Edit make_random_edit(Random& random, const Clip& clip) {
       return make_frame_time_edit(random.between(-0.01, 0.1));
     case 8:
       return make_remove_frames_edit({random.below(clip.motion.frame_count() + 2) - 1, random.below(5)});
+    case 9:
+      return make_random_figure_edit(random, clip);
     default:
       return make_random_samples_edit(random, clip);
   }

@@ -130,7 +130,8 @@ OperationValues make_random_values(Random& random, const Operation& operation, c
   for (std::size_t i = 0; i < operation.parameters.size(); ++i) {
     const OperationParameter& parameter = operation.parameters[i];
     if (parameter.kind == ParameterKind::Points) values.texts[i] = random.one_in(2) ? "2:1,9:20" : "1:1";
-    if (parameter.kind == ParameterKind::Points || parameter.kind == ParameterKind::File || random.one_in(3)) continue;
+    if (parameter.kind == ParameterKind::Text) values.texts[i] = random.one_in(2) ? "Left*" : "*_x";
+    if (is_text(parameter.kind) || random.one_in(3)) continue;
     // Mostly near the low end, where the numbers are that people choose.
     const double most = std::min(parameter.most, std::max(parameter.least + 1.0, random.one_in(5) ? 60.0 : 12.0));
     const double least = std::max(parameter.least, -12.0);

@@ -63,7 +63,7 @@ TEST(OperationTable, IsComplete) {
       EXPECT_EQ(find_parameter(operation, parameter.name), static_cast<int>(i));
       const auto words = target_words();
       EXPECT_EQ(std::find(words.begin(), words.end(), parameter.name), words.end());
-      if (parameter.kind == ParameterKind::Points || parameter.kind == ParameterKind::File) continue;
+      if (is_text(parameter.kind)) continue;
       EXPECT_TRUE(check_value(parameter, values.numbers[i]).ok());
       EXPECT_FALSE(check_value(parameter, kNan).ok());
       const bool is_choice = parameter.kind == ParameterKind::Choice;
@@ -118,21 +118,22 @@ TEST(OperationTable, SurvivesMissingSamples) {
   }
 }
 
+bool is_sample_operation(const Operation& operation) {
+  return operation.reach != OperationReach::Frames && operation.reach != OperationReach::Clip &&
+         operation.reach != OperationReach::Figure;
+}
+
 TEST(OperationTable, WithoutWeightChangesNothing) {
   const Clip clip = make_figure(40);
   const Clip other = make_figure(50);
   OperationTarget target = whole_clip(clip);
   target.weight = 0.0;
   for (const Operation& operation : operations()) {
-    if (operation.reach == OperationReach::Frames || operation.reach == OperationReach::Clip) continue;
+    if (!is_sample_operation(operation)) continue;
     const auto outcome = make_operation_edit(clip, operation, target, values_of(operation, {}, &other));
     ASSERT_TRUE(outcome) << operation.id;
     EXPECT_TRUE(outcome->edit.empty()) << operation.id;
   }
-}
-
-bool is_sample_operation(const Operation& operation) {
-  return operation.reach != OperationReach::Frames && operation.reach != OperationReach::Clip;
 }
 
 bool is_within(const Clip& clip, const Operation& operation, const OperationTarget& target, ChannelIndex channel) {

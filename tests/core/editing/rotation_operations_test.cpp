@@ -112,6 +112,16 @@ TEST(RotationFilter, FiltersHingesByTheirAngle) {
   EXPECT_EQ(samples_of(filtered, 0), samples_of(clip, 0));
 }
 
+TEST(RotationFilter, DoesNotCareForWholeTurns) {
+  const Clip clip = make_figure(60);
+  Clip leaping = clip;
+  for (int frame = 20; frame < 60; ++frame) leaping.motion.channel_samples(7)[idx(frame)] -= 360.0;
+  const Clip filtered = after(clip, "rotation-filter", {{"sigma", 3.0}});
+  const Clip leaping_filtered = after(leaping, "rotation-filter", {{"sigma", 3.0}});
+  EXPECT_LT(largest_difference(positions_of(filtered), positions_of(leaping_filtered)), 1e-9);
+  EXPECT_GT(largest_step(leaping_filtered, 7), 300.0);
+}
+
 // Turning the whole figure and then filtering is the same as filtering and then turning it.
 TEST(RotationFilter, DoesNotCareForTheAxes) {
   const Clip clip = make_figure(60);

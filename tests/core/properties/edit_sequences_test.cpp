@@ -156,9 +156,15 @@ class EditRun {
     ASSERT_EQ(idx(history.undo_depth()), timeline_.present);
     ASSERT_EQ(idx(history.redo_depth()), timeline_.states.size() - timeline_.present - 1);
     ASSERT_EQ(document_.is_dirty(), timeline_.ids[timeline_.present] != saved_id_);
+    ASSERT_TRUE(document_.is_dirty() || document_.find_changes().empty()) << describe(document_.find_changes());
   }
 
   void expect_ghosts() const {
+    if (document_.find_changes().figure) {
+      for (ChannelIndex c = 0; c < saved_motion_.channel_count(); ++c) ASSERT_TRUE(document_.saved_samples(c).empty());
+      return;
+    }
+    ASSERT_EQ(document_.motion().channel_count(), saved_motion_.channel_count());
     if (document_.motion().frame_count() != saved_motion_.frame_count()) {
       const Changes changes = document_.find_changes();
       ASSERT_EQ(changes.added_frames - changes.removed_frames,
