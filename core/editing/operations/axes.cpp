@@ -97,6 +97,9 @@ Outcome make_change_order(const OperationCall& call) {
   return make_figure_edit(call, std::move(draft), std::move(notes));
 }
 
+// 0 keeps its sign, so that no "-0" comes into the file.
+double signed_value(double sign, double value) { return sign < 0.0 && value != 0.0 ? -value : value; }
+
 /// A quarter turn, as it takes the axes to each other.
 struct QuarterTurn {
   std::array<int, 3> to{};        ///< where each axis comes
@@ -104,7 +107,7 @@ struct QuarterTurn {
 
   [[nodiscard]] glm::dvec3 apply(const glm::dvec3& v) const {
     glm::dvec3 turned(0.0);
-    for (int axis = 0; axis < 3; ++axis) turned[to[idx(axis)]] = sign[idx(axis)] * v[axis];
+    for (int axis = 0; axis < 3; ++axis) turned[to[idx(axis)]] = signed_value(sign[idx(axis)], v[axis]);
     return turned;
   }
 };
@@ -119,9 +122,6 @@ QuarterTurn quarter_turn(Axis from, Axis to) {
   turn.sign[idx(b)] = -1.0;
   return turn;
 }
-
-// 0 keeps its sign, so that no "-0" comes into the file.
-double signed_value(double sign, double value) { return sign < 0.0 && value != 0.0 ? -value : value; }
 
 void turn_channel(const QuarterTurn& turn, ChannelDraft& channel) {
   if (channel.kind == ChannelKind::Other) return;
@@ -139,8 +139,7 @@ Outcome make_up_axis(const OperationCall& call) {
   const QuarterTurn turn = quarter_turn(from, to);
   FigureDraft draft = take_apart(call.clip);
   for (NodeDraft& node : draft.nodes) {
-    const glm::dvec3 offset = turn.apply(node.offset);
-    for (int axis = 0; axis < 3; ++axis) node.offset[axis] = offset[axis] == 0.0 ? 0.0 : offset[axis];
+    node.offset = turn.apply(node.offset);
     for (ChannelDraft& channel : node.channels) turn_channel(turn, channel);
   }
   Outcome outcome = make_figure_edit(call, std::move(draft), {});
