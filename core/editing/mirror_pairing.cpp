@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,75 @@ struct Fit {
 Fit fit_of(const Skeleton& skeleton, JointIndex a, JointIndex b) {
   const glm::dvec3 difference = glm::abs(glm::abs(skeleton.offset(a)) - glm::abs(skeleton.offset(b)));
   return {shared_letters(skeleton.name(a), skeleton.name(b)), -(difference.x + difference.y + difference.z)};
+}
+
+/// A bone below a joint, and where its mirror image wants it.
+struct BonePair {
+  glm::dvec3 own;
+  glm::dvec3 image;
+};
+
+glm::dvec3 mirrored(glm::dvec3 v, Axis axis) {
+  v[static_cast<int>(axis)] = -v[static_cast<int>(axis)];
+  return v;
+}
+
+// End sites are paired in their order.
+void add_end_sites(const Skeleton& skeleton, JointIndex joint, JointIndex partner, Axis axis, std::vector<BonePair>& bones) {
+  const auto ends_of = [&](JointIndex owner) {
+    std::vector<glm::dvec3> ends;
+    for (NodeIndex node = skeleton.node_of(owner) + 1; node < skeleton.node_count(); ++node) {
+      const Node& n = skeleton.node(node);
+      if (n.is_end_site && n.joint == owner) ends.push_back(n.offset);
+      if (n.parent < skeleton.node_of(owner)) break;
+    }
+    return ends;
+  };
+  const std::vector<glm::dvec3> own = ends_of(joint);
+  const std::vector<glm::dvec3> other = ends_of(partner);
+  for (std::size_t i = 0; i < std::min(own.size(), other.size()); ++i) bones.push_back({own[i], mirrored(other[i], axis)});
+}
+
+// The smallest turn of one direction onto another; of the opposite ones a half turn about an axis that the mirror keeps.
+glm::dquat turn_onto(const glm::dvec3& from, const glm::dvec3& to, Axis axis) {
+  const glm::dvec3 a = glm::normalize(from);
+  const glm::dvec3 b = glm::normalize(to);
+  if (glm::dot(a, b) > -1.0 + 1e-9) return glm::normalize(glm::dquat(1.0 + glm::dot(a, b), glm::cross(a, b)));
+  glm::dvec3 normal(0.0);
+  normal[static_cast<int>(axis)] = 1.0;
+  glm::dvec3 about = glm::cross(normal, a);
+  if (glm::length(about) < 1e-6) about[(static_cast<int>(axis) + 1) % 3] = 1.0;
+  return {0.0, glm::normalize(about)};
+}
+
+// Around `bone`, which is in its place, the turn that brings the other bones nearest to theirs.
+glm::dquat turn_around(const glm::dvec3& bone, const glm::dquat& turned, std::span<const BonePair> bones) {
+  const glm::dvec3 along = glm::normalize(bone);
+  double sine = 0.0;
+  double cosine = 0.0;
+  for (const BonePair& pair : bones) {
+    const glm::dvec3 own = turned * pair.own;
+    const glm::dvec3 a = own - along * glm::dot(own, along);
+    const glm::dvec3 b = pair.image - along * glm::dot(pair.image, along);
+    sine += glm::dot(along, glm::cross(a, b));
+    cosine += glm::dot(a, b);
+  }
+  if (std::hypot(sine, cosine) <= 1e-9 * glm::dot(bone, bone)) return {1.0, 0.0, 0.0, 0.0};
+  return glm::angleAxis(std::atan2(sine, cosine), along);
+}
+
+glm::dquat find_correction(std::span<const BonePair> bones, double tolerance, Axis axis) {
+  const glm::dquat none(1.0, 0.0, 0.0, 0.0);
+  const bool fits = std::all_of(bones.begin(), bones.end(), [tolerance](const BonePair& pair) {
+    return glm::distance(pair.own, pair.image) <= tolerance;
+  });
+  if (fits) return none;
+  const auto longest = std::max_element(bones.begin(), bones.end(), [](const BonePair& a, const BonePair& b) {
+    return glm::length(a.own) + glm::length(a.image) < glm::length(b.own) + glm::length(b.image);
+  });
+  if (glm::length(longest->own) == 0.0 || glm::length(longest->image) == 0.0) return none;
+  const glm::dquat turned = turn_onto(longest->own, longest->image, axis);
+  return glm::normalize(turn_around(longest->image, turned, bones) * turned);
 }
 
 class Pairing {
@@ -111,7 +181,7 @@ class Pairing {
 
 MirrorPairing find_mirror_pairs(const Skeleton& skeleton) { return Pairing(skeleton).find(); }
 
-Axis find_lateral_axis(const Skeleton& skeleton, const MirrorPairing& pairing) {
+Axis find_lateral_axis(const Skeleton& skeleton, const MirrorPairing& pairing, Axis up) {
   std::vector<glm::dvec3> places;
   glm::dvec3 apart(0.0);
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
@@ -121,18 +191,48 @@ Axis find_lateral_axis(const Skeleton& skeleton, const MirrorPairing& pairing) {
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     apart += glm::abs(places[idx(joint)] - places[idx(pairing.partner[idx(joint)])]);
   }
-  if (apart.z > apart.x && apart.z >= apart.y) return Axis::Z;
-  return apart.y > apart.x ? Axis::Y : Axis::X;
+  apart[static_cast<int>(up)] = -1.0;
+  Axis widest = up == Axis::X ? Axis::Z : Axis::X;
+  for (const Axis axis : {Axis::Z, Axis::Y}) {
+    if (apart[static_cast<int>(axis)] > apart[static_cast<int>(widest)]) widest = axis;
+  }
+  return widest;
+}
+
+std::vector<glm::dquat> find_mirror_corrections(const Skeleton& skeleton, const MirrorPairing& pairing, Axis axis) {
+  std::vector<std::vector<BonePair>> pairs(idx(skeleton.joint_count()));
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const JointIndex parent = skeleton.parent(joint);
+    const JointIndex partner = pairing.partner[idx(joint)];
+    const bool fits = parent != kNoParent && skeleton.parent(partner) == pairing.partner[idx(parent)];
+    if (fits) pairs[idx(parent)].push_back({skeleton.offset(joint), mirrored(skeleton.offset(partner), axis)});
+    add_end_sites(skeleton, joint, partner, axis, pairs[idx(joint)]);
+  }
+  const double tolerance = kSymmetryShare * compute_stature(skeleton);
+  std::vector<glm::dquat> corrections;
+  for (const std::vector<BonePair>& bones : pairs) corrections.push_back(find_correction(bones, tolerance, axis));
+  // Counterparts undo each other's, however little alike their bones are, so that mirroring twice changes nothing.
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const JointIndex partner = pairing.partner[idx(joint)];
+    const glm::dquat own = corrections[idx(joint)];
+    if (own.w == 1.0 && corrections[idx(partner)].w == 1.0) continue;
+    glm::dquat undone = own;
+    undone[static_cast<int>(axis)] = -undone[static_cast<int>(axis)];
+    if (partner > joint) corrections[idx(partner)] = undone;
+    if (partner == joint) corrections[idx(joint)] = glm::normalize(glm::slerp(own, undone, 0.5));
+  }
+  return corrections;
 }
 
 std::vector<JointIndex> find_unsymmetric_joints(const Skeleton& skeleton, const MirrorPairing& pairing, Axis axis) {
   const double tolerance = kSymmetryShare * compute_stature(skeleton);
+  const std::vector<glm::dquat> corrections = find_mirror_corrections(skeleton, pairing, axis);
   std::vector<JointIndex> joints;
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    if (skeleton.parent(joint) == kNoParent) continue;
-    glm::dvec3 image = skeleton.offset(pairing.partner[idx(joint)]);
-    image[static_cast<int>(axis)] = -image[static_cast<int>(axis)];
-    if (!(glm::distance(image, skeleton.offset(joint)) <= tolerance)) joints.push_back(joint);
+    const JointIndex parent = skeleton.parent(joint);
+    if (parent == kNoParent) continue;
+    const glm::dvec3 image = mirrored(skeleton.offset(pairing.partner[idx(joint)]), axis);
+    if (!(glm::distance(image, corrections[idx(parent)] * skeleton.offset(joint)) <= tolerance)) joints.push_back(joint);
   }
   return joints;
 }

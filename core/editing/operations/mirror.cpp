@@ -8,6 +8,7 @@
 #include "core/editing/mirror_pairing.h"
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/new_samples.h"
+#include "core/motion/sampling.h"
 
 namespace marey {
 namespace {
@@ -18,19 +19,24 @@ using Outcome = Result<OperationOutcome>;
 double negated(double value) { return value == 0.0 ? value : -value; }
 
 /// Mirrors joints across the plane through the world's origin whose normal is an axis: R' = M R M, so rotations about the
-/// axis stay and the others change their sign, whatever their order; p' = M p.
+/// axis stay and the others change their sign, whatever their order; p' = M p. Where the rest pose is not its own mirror image,
+/// R' = C_parent^-1 M R M C with the corrections of find_mirror_corrections().
 class Mirror {
  public:
-  Mirror(const OperationCall& call, Axis axis) : call_(call), skeleton_(call.clip.skeleton), axis_(axis) {}
+  Mirror(const OperationCall& call, const MirrorPairing& pairing, Axis axis)
+      : call_(call),
+        skeleton_(call.clip.skeleton),
+        axis_(axis),
+        corrections_(find_mirror_corrections(call.clip.skeleton, pairing, axis)) {}
 
   // New samples of a joint from those of its counterpart.
   void add(JointIndex joint, JointIndex from) {
     const bool same_order = euler_order_label(skeleton_, joint) == euler_order_label(skeleton_, from);
     const auto to_euler = find_euler_channels(skeleton_, joint);
-    const auto from_euler = find_euler_channels(skeleton_, from);
-    const bool by_rotation = !same_order && to_euler && from_euler && to_euler->count == 3;
-    if (by_rotation) add_rotation(*to_euler, *from_euler);
-    if (!same_order && !by_rotation) unlike_.push_back(joint);
+    const bool is_plain = same_order && !needs_correction(joint);
+    const bool by_rotation = !is_plain && to_euler && to_euler->count == 3;
+    if (by_rotation) add_rotation(*to_euler, joint, from);
+    if (!is_plain && !by_rotation) unlike_.push_back(joint);
     for (int i = 0; i < skeleton_.channel_count(joint); ++i) {
       const ChannelIndex channel = skeleton_.first_channel(joint) + i;
       const ChannelKind kind = skeleton_.channel(channel).kind;
@@ -81,14 +87,22 @@ class Mirror {
     return adds ? skeleton_.offset(channel.joint)[static_cast<int>(axis_of(channel.kind))] : 0.0;
   }
 
-  void add_rotation(const EulerChannels& to, const EulerChannels& from) {
+  [[nodiscard]] glm::dquat correction_above(JointIndex joint) const {
+    const JointIndex parent = skeleton_.parent(joint);
+    return parent == kNoParent ? glm::dquat(1.0, 0.0, 0.0, 0.0) : corrections_[idx(parent)];
+  }
+  [[nodiscard]] bool needs_correction(JointIndex joint) const {
+    return correction_above(joint).w != 1.0 || corrections_[idx(joint)].w != 1.0;
+  }
+
+  void add_rotation(const EulerChannels& to, JointIndex joint, JointIndex from) {
     std::vector<NewSamples> angles = copied_angles(call_, to);
     glm::dvec3 previous(0.0);
     for (int i = 0; i < call_.target.frames.count; ++i) {
-      const glm::dvec3 source = angles_deg_of(call_.clip.motion, from, call_.target.frames.first + i);
-      glm::dquat rotation = rotation_from_euler(from.order, source);
+      glm::dquat rotation = joint_rotation(skeleton_, call_.clip.motion, from, call_.target.frames.first + i);
       for (int a = 0; a < 3; ++a) rotation[a] = a == static_cast<int>(axis_) ? rotation[a] : -rotation[a];
       if (!std::isfinite(rotation.w)) continue;
+      rotation = glm::normalize(glm::conjugate(correction_above(joint)) * rotation * corrections_[idx(joint)]);
       previous = euler_near(to.order, glm::mat3_cast(rotation), previous);
       set_angles(angles, idx(i), previous);
     }
@@ -98,6 +112,7 @@ class Mirror {
   const OperationCall& call_;
   const Skeleton& skeleton_;
   Axis axis_;
+  std::vector<glm::dquat> corrections_;  // per joint
   std::vector<NewSamples> samples_;
   std::vector<JointIndex> unlike_;
 };
@@ -122,14 +137,14 @@ Outcome make_mirror(const OperationCall& call) {
   const Skeleton& skeleton = call.clip.skeleton;
   const MirrorPairing pairing = find_mirror_pairs(skeleton);
   const std::string_view asked = call.choice("axis");
-  const Axis axis = asked == "auto" ? find_lateral_axis(skeleton, pairing) : static_cast<Axis>(asked[0] - 'x');
-  Mirror mirror(call, axis);
+  const Axis axis = asked == "auto" ? find_lateral_axis(skeleton, pairing, call.clip.settings.up_axis) : static_cast<Axis>(asked[0] - 'x');
+  Mirror mirror(call, pairing, axis);
   for (const JointIndex joint : call.target.joints) mirror.add(joint, pairing.partner[idx(joint)]);
   OperationOutcome outcome;
   note_joints(call, pairing.unpaired, "of a side found no counterpart", outcome.notes);
   note_joints(call, find_unsymmetric_joints(skeleton, pairing, axis),
               "have offsets that are no mirror image of their counterparts', so the pose is none there", outcome.notes);
-  note_joints(call, mirror.unlike(), "have other rotation channels than their counterparts", outcome.notes);
+  note_joints(call, mirror.unlike(), "have not the rotation channels that this takes", outcome.notes);
   outcome.edit = blended_edit(call, mirror.take_samples(), Mix::Rotations);
   return outcome;
 }
