@@ -45,6 +45,28 @@ int FigureDraft::subtree_end(int node) const {
   return end;
 }
 
+void FigureDraft::move_subtree(int node, int new_parent) {
+  const int end = subtree_end(node);
+  const int target = subtree_end(new_parent);
+  nodes[idx(node)].parent = new_parent;
+  // The nodes in their new order, by their old places.
+  std::vector<int> order;
+  for (int i = 0; i <= size_of(nodes); ++i) {
+    if (i == target) {
+      for (int k = node; k < end; ++k) order.push_back(k);
+    }
+    if (i < size_of(nodes) && (i < node || i >= end)) order.push_back(i);
+  }
+  std::vector<int> place(nodes.size());
+  for (int i = 0; i < size_of(order); ++i) place[idx(order[idx(i)])] = i;
+  std::vector<NodeDraft> moved;
+  for (const int old : order) {
+    NodeDraft& taken = moved.emplace_back(std::move(nodes[idx(old)]));
+    if (taken.parent != kNoParent) taken.parent = place[idx(taken.parent)];
+  }
+  nodes = std::move(moved);
+}
+
 FigureDraft take_apart(const Clip& clip) {
   FigureDraft draft;
   for (NodeIndex i = 0; i < clip.skeleton.node_count(); ++i) {

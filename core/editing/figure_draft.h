@@ -34,6 +34,8 @@ struct FigureDraft {
 
   /// One past the last node below `node`.
   [[nodiscard]] int subtree_end(int node) const;
+  /// Hangs a node, with all that is below it, on another joint, which is not below it, as its last child.
+  void move_subtree(int node, int new_parent);
 };
 
 [[nodiscard]] FigureDraft take_apart(const Clip& clip);

@@ -195,6 +195,62 @@ Outcome make_insert_joint(const OperationCall& call) {
   return make_figure_edit(call, std::move(draft), {});
 }
 
+glm::dquat world_rotation(const Clip& clip, JointIndex joint, FrameIndex frame) {
+  glm::dquat rotation(1.0, 0.0, 0.0, 0.0);
+  for (JointIndex above = joint; above != kNoParent; above = clip.skeleton.parent(above)) {
+    rotation = joint_rotation(clip.skeleton, clip.motion, above, frame) * rotation;
+  }
+  return glm::normalize(rotation);
+}
+
+glm::dvec3 rest_position(const Skeleton& skeleton, JointIndex joint) {
+  glm::dvec3 position(0.0);
+  for (JointIndex above = joint; above != kNoParent; above = skeleton.parent(above)) position += skeleton.offset(above);
+  return position;
+}
+
+// The joint turns in the world as it did.
+void keep_world_rotation(const Clip& clip, const EulerChannels& euler, JointIndex joint, JointIndex parent, NodeDraft& node) {
+  glm::dvec3 previous(0.0);
+  for (FrameIndex frame = 0; frame < clip.motion.frame_count(); ++frame) {
+    const glm::dquat local = glm::conjugate(world_rotation(clip, parent, frame)) * world_rotation(clip, joint, frame);
+    const glm::dmat3 rotation = glm::mat3_cast(glm::normalize(local));
+    if (!std::isfinite(rotation[0][0])) continue;
+    previous = euler_near(euler.order, rotation, previous);
+    for (int i = 0; i < 3; ++i) {
+      node.channels[idx(euler.channels[i] - clip.skeleton.first_channel(joint))].samples[idx(frame)] = previous[i];
+    }
+  }
+}
+
+std::optional<JointIndex> find_joint(const Skeleton& skeleton, std::string_view name) {
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    if (skeleton.name(joint) == name) return joint;
+  }
+  return std::nullopt;
+}
+
+Outcome make_reparent(const OperationCall& call) {
+  const Skeleton& skeleton = call.clip.skeleton;
+  if (call.target.joints.size() != 1) return refusal("Name the one joint to hang elsewhere: joints=NAME.");
+  const JointIndex joint = call.target.joints[0];
+  const std::optional<JointIndex> parent = find_joint(skeleton, call.text("to"));
+  if (!parent) return refusal(fmt::format("No joint is called \"{}\".", call.text("to")));
+  if (*parent >= joint && *parent < skeleton.subtree_end(joint)) return refusal("A joint cannot hang on itself or on one below it.");
+  if (skeleton.parent(joint) == kNoParent) return refusal("A root cannot hang on another joint.");
+  if (skeleton.parent(joint) == *parent) return OperationOutcome{};
+  const auto euler = find_euler_channels(skeleton, joint);
+  if (!euler || euler->count < 3 || has_own_positions(skeleton, joint)) {
+    return refusal(fmt::format("'{}' has not the three rotation channels that this takes, or positions of its own.", skeleton.name(joint)));
+  }
+  FigureDraft draft = take_apart(call.clip);
+  NodeDraft& node = draft.nodes[idx(skeleton.node_of(joint))];
+  node.offset = rest_position(skeleton, joint) - rest_position(skeleton, *parent);
+  keep_world_rotation(call.clip, *euler, joint, *parent, node);
+  draft.move_subtree(skeleton.node_of(joint), skeleton.node_of(*parent));
+  return make_figure_edit(call, std::move(draft), {}, Points::MayMove);
+}
+
 constexpr OperationParameter kRename[] = {
     {.name = "from", .label = "Name", .help = "A name, or a pattern with one star such as mixamorig:*.", .kind = ParameterKind::Text},
     {.name = "to", .label = "New name", .help = "A star in it is what the other star stood for.", .kind = ParameterKind::Text}};
@@ -205,6 +261,9 @@ constexpr OperationParameter kScaleFigure[] = {
 constexpr OperationParameter kInsertJoint[] = {
     {.name = "name", .label = "Name", .help = "Of the new joint.", .kind = ParameterKind::Text},
     {.name = "at", .label = "At", .help = "Where on the bone: 0 at the parent, 1 at the joint.", .initial = 0.5, .least = 0.0, .most = 1.0}};
+
+constexpr OperationParameter kReparent[] = {
+    {.name = "to", .label = "New parent", .help = "The joint that it is to hang on.", .kind = ParameterKind::Text}};
 
 constexpr Operation kFigure[] = {
     {.id = "rename", .label = "Rename joints", .group = "Figure", .help = "Gives joints other names, by a pattern.",
@@ -217,7 +276,9 @@ constexpr Operation kFigure[] = {
     {.id = "delete-joint", .label = "Delete joint", .group = "Figure", .help = "Takes a joint out; its children take over.",
      .reach = OperationReach::Figure, .make = make_delete_joint},
     {.id = "insert-joint", .label = "Insert joint", .group = "Figure", .help = "Puts a joint into the bone above a joint.",
-     .reach = OperationReach::Figure, .parameters = kInsertJoint, .make = make_insert_joint}};
+     .reach = OperationReach::Figure, .parameters = kInsertJoint, .make = make_insert_joint},
+    {.id = "reparent", .label = "Hang joint elsewhere", .group = "Figure", .help = "Makes a joint the child of another one.",
+     .reach = OperationReach::Figure, .parameters = kReparent, .make = make_reparent}};
 
 }  // namespace
 

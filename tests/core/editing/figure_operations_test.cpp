@@ -206,6 +206,41 @@ TEST(InsertJoint, MovesNoPointAndDeletingItIsTheStart) {
   EXPECT_LT(largest_difference(positions_of(restored), positions_of(clip)), 1e-9);
 }
 
+TEST(Reparent, KeepsTheRotationInTheWorld) {
+  const Clip clip = make_figure(10);
+  const auto outcome = with_texts(clip, "reparent", joint_target(clip, {3}), {"Hips"});
+  ASSERT_TRUE(outcome) << outcome.error().message;
+  const Clip changed = edited(clip, outcome->edit);
+  ASSERT_EQ(changed.skeleton.joint_count(), 11);
+  EXPECT_EQ(changed.skeleton.name(9), "LeftArm");
+  EXPECT_EQ(changed.skeleton.name(10), "LeftHand");
+  EXPECT_EQ(changed.skeleton.parent(9), 0);
+  EXPECT_EQ(changed.skeleton.offset(9), glm::dvec3(15, 40, 0));
+  EXPECT_TRUE(outcome->notes.at(0).starts_with("Points of the figure move by up to "));
+  for (int frame = 0; frame < 10; ++frame) {
+    const glm::dquat before = joint_rotation(clip.skeleton, clip.motion, 1, frame) * joint_rotation(clip.skeleton, clip.motion, 3, frame);
+    EXPECT_NEAR(std::abs(glm::dot(before, joint_rotation(changed.skeleton, changed.motion, 9, frame))), 1.0, 1e-12);
+  }
+  const Clip back = edited(changed, with_texts(changed, "reparent", joint_target(changed, {9}), {"Spine"})->edit);
+  // It is the last child of Spine now, behind the right arm, where every point is again where it was.
+  std::vector<std::string> names;
+  for (JointIndex joint = 0; joint < 11; ++joint) names.push_back(back.skeleton.name(joint));
+  EXPECT_THAT(names, ElementsAre("Hips", "Spine", "Head", "RightArm", "RightHand", "LeftArm", "LeftHand", "LeftLeg", "LeftKnee",
+                                 "RightLeg", "RightKnee"));
+  const Clip again = edited(back, with_texts(back, "reparent", joint_target(back, {3}), {"Hips"})->edit);
+  const Clip home = edited(again, with_texts(again, "reparent", joint_target(again, {9}), {"Spine"})->edit);
+  EXPECT_LT(largest_difference(positions_of(home), positions_of(clip)), 1e-9);
+}
+
+TEST(Reparent, RefusesLoopsAndStrangers) {
+  const Clip clip = make_figure(3);
+  EXPECT_EQ(with_texts(clip, "reparent", joint_target(clip, {1}), {"LeftHand"}).error().message,
+            "A joint cannot hang on itself or on one below it.");
+  EXPECT_EQ(with_texts(clip, "reparent", joint_target(clip, {1}), {"Tail"}).error().message, "No joint is called \"Tail\".");
+  EXPECT_FALSE(with_texts(clip, "reparent", joint_target(clip, {0}), {"Spine"}));
+  EXPECT_FALSE(with_texts(clip, "reparent", joint_target(clip, {2}), {"Hips"}));
+}
+
 TEST(FigureDraft, PutTogetherUnchangedIsTheSame) {
   Random random(65);
   for (int round = 0; round < 50; ++round) {
