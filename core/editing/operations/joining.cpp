@@ -98,9 +98,9 @@ constexpr OperationParameter kSplice[] = {
      .kind = ParameterKind::Frame, .initial = 0.0, .least = 0.0, .most = 1e9}};
 
 constexpr Operation kJoining[] = {
-    {.id = "append", .label = "Append clip", .group = "Frames", .help = "Lets another clip follow this one.",
+    {.id = "append", .label = "Append clip", .group = "Join", .help = "Lets another clip follow this one.",
      .reach = OperationReach::Clip, .parameters = kAppend, .make = make_append},
-    {.id = "splice", .label = "Splice joints", .group = "Clip", .help = "Gives joints the movement that they have in another clip.",
+    {.id = "splice", .label = "Splice joints", .group = "Join", .help = "Gives joints the movement that they have in another clip.",
      .reach = OperationReach::Joints, .parameters = kSplice, .make = make_splice}};
 
 }  // namespace

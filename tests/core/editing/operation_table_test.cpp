@@ -47,12 +47,16 @@ void try_operation(Clip clip, const Operation& operation, const OperationTarget&
 
 TEST(OperationTable, IsComplete) {
   std::set<std::string_view> ids;
+  std::set<std::string_view> groups;
+  std::string_view group;
   for (const Operation& operation : operations()) {
     SCOPED_TRACE(operation.id);
     EXPECT_TRUE(ids.insert(operation.id).second);
     EXPECT_EQ(find_operation(operation.id), &operation);
     EXPECT_FALSE(operation.label.empty());
     EXPECT_FALSE(operation.group.empty());
+    EXPECT_TRUE(operation.group == group || groups.insert(operation.group).second) << "a group stands in two places";
+    group = operation.group;
     EXPECT_TRUE(operation.help.ends_with('.'));
     const OperationValues values = initial_values(operation);
     for (std::size_t i = 0; i < operation.parameters.size(); ++i) {

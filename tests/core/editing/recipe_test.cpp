@@ -106,6 +106,32 @@ TEST(Recipe, RefusalsNameTheWordItsPlaceAndTheNearestName) {
   }
 }
 
+// Any words, in any order: a step is made or refused with a sentence.
+TEST(Recipe, TakesOrRefusesAnything) {
+  const std::string_view pieces[] = {"smooth",  "scale",   "mirror", "warp",  "rename", "trim",   " ",     "=",      ":",     ",",
+                                     "sigma=",  "joints=", "frames=", "to=",   "from=",  "points=", "*",     "?",      "'",     "\"",
+                                     "Left*",   "2",       "-1e308", "nan",   "1e9:1e9", "0:0",   "5:9",   "weight=", "\xff", "\t",
+                                     "blend-in=", "channels=", "Z", "pivot=", "mean"};
+  Random random(81);
+  const Clip clip = make_figure(8);
+  int made = 0;
+  for (int round = 0; round < 20000; ++round) {
+    std::string text(operations()[idx(random.below(size_of(operations())))].id);
+    for (int i = random.below(9); i > 0; --i) text += (random.one_in(2) ? " " : "") + std::string(pieces[random.below(35)]);
+    const Result<RecipeStep> step = parse_recipe_step(text);
+    const Result<BoundStep> result = step ? bind_step(*step, clip) : Result<BoundStep>(step.error());
+    if (!result) {
+      EXPECT_TRUE(result.error().message.ends_with('.') || result.error().message.ends_with('?')) << text;
+      continue;
+    }
+    OperationValues values = result->values;
+    values.other = &clip;
+    const auto outcome = make_operation_edit(clip, *result->operation, result->target, values);
+    made += outcome ? 1 : 0;
+  }
+  EXPECT_GT(made, 1000);
+}
+
 TEST(NameMatch, KnowsStarsAndQuestionMarks) {
   EXPECT_TRUE(matches_pattern("Left*", "LeftArm"));
   EXPECT_TRUE(matches_pattern("*arm", "LeftArm"));
