@@ -36,6 +36,7 @@ class MotionHeaderReader {
 
  private:
   bool read_statement();
+  [[nodiscard]] bool ends_without_rows() const;
   bool starts_row(std::string_view word);
   void judge_line();
   void skip_unknown_word();
@@ -83,7 +84,7 @@ MotionHeader MotionHeaderReader::read() {
 /// False at the first sample and at the end.
 bool MotionHeaderReader::read_statement() {
   skip_blanks_and_comments(cursor_, report_);
-  if (cursor_.at_end()) return false;
+  if (cursor_.at_end() || ends_without_rows()) return false;
   const std::size_t place = cursor_.offset();
   if (!begin_) begin_ = place;
   const std::string_view word = cursor_.peek_word();
@@ -111,6 +112,11 @@ bool MotionHeaderReader::read_statement() {
   if (starts_row(word)) return false;
   skip_unknown_word();
   return true;
+}
+
+/// Without channels there is no row that could end the header: all that follows its last part is text.
+bool MotionHeaderReader::ends_without_rows() const {
+  return channel_count_ == 0 && has_keyword_ && has_frame_count_ && has_frame_time_;
 }
 
 /// "FPS: 25" is a frame rate; anything else is left out.

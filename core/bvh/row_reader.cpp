@@ -102,14 +102,15 @@ void RowReader::prepare_columns() {
 void RowReader::find_runs() {
   constexpr int kLongestRun = 32;
   for (int first = 0, last = 0; first < channel_count_; first = last) {
-    const auto& [gap, format] = survey_.columns[idx(first)];
+    const ColumnStyle& style = survey_.columns[idx(first)];
     const auto is_like_first = [&](const ColumnStyle& column) {
-      return column.gap == gap && is_usual_fixed(column.format) && column.format.decimals == format.decimals;
+      return column.gap == style.gap && is_usual_fixed(column.format) && column.format.decimals == style.format.decimals;
     };
-    const bool is_run = !gap.empty() && gap.size() <= FixedNumbers::kLongestGap && is_usual_fixed(format);
-    for (last = first + 1; is_run && last < channel_count_ && last < first + kLongestRun && is_like_first(survey_.columns[idx(last)]);) ++last;
+    const bool is_run = !style.gap.empty() && style.gap.size() <= FixedNumbers::kLongestGap && is_usual_fixed(style.format);
+    const int longest = is_run ? std::min(first + kLongestRun, channel_count_) : first + 1;
+    for (last = first + 1; last < longest && is_like_first(survey_.columns[idx(last)]);) ++last;
     hot_columns_[idx(first)].run_length = last - first;
-    if (is_run) hot_columns_[idx(first)].run.emplace(gap, format.decimals);
+    if (is_run) hot_columns_[idx(first)].run.emplace(style.gap, style.format.decimals);
   }
 }
 

@@ -67,13 +67,18 @@ void Selection::set_channel_visible(ChannelIndex channel, bool visible) {
 
 std::vector<ChannelIndex> Selection::shown_channels(const Skeleton& skeleton) const {
   std::vector<ChannelIndex> channels;
+  find_shown_channels(skeleton, channels);
+  return channels;
+}
+
+void Selection::find_shown_channels(const Skeleton& skeleton, std::vector<ChannelIndex>& channels) const {
+  channels.clear();
   for (const JointIndex joint : joints_) {
     const ChannelIndex first = skeleton.first_channel(joint);
     for (ChannelIndex channel = first; channel < first + skeleton.channel_count(joint); ++channel) {
       if (is_channel_visible(channel)) channels.push_back(channel);
     }
   }
-  return channels;
 }
 
 bool Selection::is_shown(ChannelIndex channel) const {

@@ -40,6 +40,8 @@ class Selection {
 
   /// The channels that the curve editor shows: the visible channels of the selected joints, in file order.
   [[nodiscard]] std::vector<ChannelIndex> shown_channels(const Skeleton& skeleton) const;
+  /// The same into `channels`, whose memory is used again.
+  void find_shown_channels(const Skeleton& skeleton, std::vector<ChannelIndex>& channels) const;
 
   [[nodiscard]] const SampleSelection& samples() const { return samples_; }
   /// To change them.

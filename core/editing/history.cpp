@@ -83,9 +83,9 @@ FrameRange History::changed_frames_since(std::uint64_t revision) const {
   return frames;
 }
 
-std::string History::undo_name() const { return done_.empty() ? std::string() : done_.back().edit.name; }
+std::string_view History::undo_name() const { return done_.empty() ? std::string_view() : done_.back().edit.name; }
 
-std::string History::redo_name() const { return undone_.empty() ? std::string() : undone_.back().edit.name; }
+std::string_view History::redo_name() const { return undone_.empty() ? std::string_view() : undone_.back().edit.name; }
 
 bool History::is_in_gesture(GestureId gesture) const {
   return gesture != 0 && !done_.empty() && done_.back().gesture == gesture;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/editing/edit.h"
@@ -42,8 +42,8 @@ class History {
   [[nodiscard]] int undo_depth() const { return size_of(done_); }
   [[nodiscard]] int redo_depth() const { return size_of(undone_); }
   /// Name of the step that undo (redo) would take; "" when there is none.
-  [[nodiscard]] std::string undo_name() const;
-  [[nodiscard]] std::string redo_name() const;
+  [[nodiscard]] std::string_view undo_name() const;
+  [[nodiscard]] std::string_view redo_name() const;
   /// What undo (redo) would swap into the clip; nullptr when there is nothing to undo (redo).
   [[nodiscard]] const Edit* undo_edit() const { return done_.empty() ? nullptr : &done_.back().edit; }
   [[nodiscard]] const Edit* redo_edit() const { return undone_.empty() ? nullptr : &undone_.back().edit; }

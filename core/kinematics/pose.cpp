@@ -58,6 +58,11 @@ glm::dquat local_rotation(const Skeleton& skeleton, JointIndex joint, const Loca
 
 }  // namespace
 
+glm::dvec3 joint_translation(const Skeleton& skeleton, const Motion& motion, JointIndex joint, FrameIndex frame,
+                             PositionRule rule) {
+  return local_translation(skeleton, joint, rule, [&](ChannelIndex channel) { return motion.sample(channel, frame); });
+}
+
 void LocalPose::resize(const Skeleton& skeleton) {
   local_translations.resize(idx(skeleton.joint_count()), glm::dvec3(0.0));
   local_rotations.resize(idx(skeleton.joint_count()), glm::dquat(1.0, 0.0, 0.0, 0.0));

@@ -27,6 +27,10 @@ struct LocalPose {
   void resize(const Skeleton& skeleton);
 };
 
+/// Where a joint stands in its parent (a root: in the world): its offset and its position channels, as `rule` reads them.
+[[nodiscard]] glm::dvec3 joint_translation(const Skeleton& skeleton, const Motion& motion, JointIndex joint, FrameIndex frame,
+                                           PositionRule rule);
+
 /// World transforms. World axes are the file's; a joint's own rotation turns its children, never its own origin.
 struct WorldPose {
   std::vector<glm::dvec3> world_positions;  ///< per node (joints and end sites)

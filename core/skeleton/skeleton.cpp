@@ -54,10 +54,14 @@ std::string node_label(const Skeleton& skeleton, NodeIndex node) {
   return skeleton.name(n.joint) + "_end" + (ordinal > 1 ? std::to_string(ordinal) : std::string());
 }
 
+std::string_view channel_name(const Channel& channel) {
+  const std::string_view keyword = channel_keyword(channel.kind);
+  return keyword.empty() ? std::string_view(channel.other_name) : keyword;
+}
+
 std::string channel_label(const Skeleton& skeleton, ChannelIndex channel) {
   const Channel& c = skeleton.channel(channel);
-  const std::string_view keyword = channel_keyword(c.kind);
-  return skeleton.name(c.joint) + " " + (keyword.empty() ? c.other_name : std::string(keyword));
+  return skeleton.name(c.joint) + " " + std::string(channel_name(c));
 }
 
 std::string euler_order_label(const Skeleton& skeleton, JointIndex joint) {

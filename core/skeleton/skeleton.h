@@ -111,6 +111,9 @@ class Skeleton {
 /// Readable name of a node: the joint's name; for an end site "<joint>_end" (then "_end2" ... for further ones).
 [[nodiscard]] std::string node_label(const Skeleton& skeleton, NodeIndex node);
 
+/// The keyword, or the name that Marey does not know.
+[[nodiscard]] std::string_view channel_name(const Channel& channel);
+
 /// "LeftElbow Zrotation": joint name and channel keyword.
 [[nodiscard]] std::string channel_label(const Skeleton& skeleton, ChannelIndex channel);
 

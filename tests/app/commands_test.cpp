@@ -29,7 +29,7 @@ TEST(CommandRegistry, SaysWhyItRefuses) {
                 .label = "A",
                 .help = "H.",
                 .run = [&](const json&) -> json { return ++runs; },
-                .blocked = [] { return std::string("Not now."); }});
+                .blocked = [] { return "Not now."; }});
   EXPECT_EQ(registry.run("a")["error"], "Not now.");
   EXPECT_EQ(runs, 0);
   EXPECT_NE(registry.run("nothing")["error"].get<std::string>().find("nothing"), std::string::npos);

@@ -9,7 +9,7 @@
 namespace marey::app {
 namespace {
 
-Command counting(std::string id, int& runs, std::string reason = {}) {
+Command counting(std::string id, int& runs, Reason reason = "") {
   return {.id = std::move(id),
           .label = "Do it",
           .help = "Does it.",

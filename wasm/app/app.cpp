@@ -38,7 +38,7 @@ void add_all_commands(AppParts& parts) {
 }
 
 Message failure_message(const Command& command, const Fault& fault) {
-  std::string title = CommandRegistry::label_of(command) + " could not be done";
+  std::string title = std::string(CommandRegistry::label_of(command)) + " could not be done";
   std::string detail = fault.out_of_memory ? out_of_memory("it").message : fault.details + ".";
   return {MessageKind::Error, std::move(title), detail + " The clip is as it was.", ""};
 }

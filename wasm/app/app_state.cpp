@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-json optional_text(const std::string& text) { return text.empty() ? json(nullptr) : json(text); }
+json optional_text(std::string_view text) { return text.empty() ? json(nullptr) : json(text); }
 
 json joint_list(const Skeleton& skeleton) {
   json joints = json::array();
@@ -147,9 +147,9 @@ nlohmann::json App::state() const {
 nlohmann::json App::commands() const {
   json list = json::array();
   for (const Command& command : parts_->commands.all()) {
-    const std::string reason = CommandRegistry::blocked_reason(command);
+    const std::string_view reason = CommandRegistry::blocked_reason(command);
     json entry = {{"id", command.id},
-                  {"label", CommandRegistry::label_of(command)},
+                  {"label", CommandRegistry::label_of(command).view()},
                   {"help", command.help},
                   {"shortcut", optional_text(command.shortcut)},
                   {"enabled", reason.empty()},

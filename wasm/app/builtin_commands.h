@@ -26,10 +26,10 @@ void add_help_commands(CommandRegistry& registry, Workspace& workspace);
 [[nodiscard]] bool is_first_frame_left_out(const Document& document);
 
 /// Why a command that needs an open clip cannot run; "" when it can.
-[[nodiscard]] std::string needs_clip(const Workspace& workspace);
+[[nodiscard]] Reason needs_clip(const Workspace& workspace);
 /// The same for one that changes or saves it: not while its file is still being read.
-[[nodiscard]] std::string needs_whole_clip(const Workspace& workspace);
+[[nodiscard]] Reason needs_whole_clip(const Workspace& workspace);
 /// The same for one that needs frames.
-[[nodiscard]] std::string needs_frames(const Workspace& workspace);
+[[nodiscard]] Reason needs_frames(const Workspace& workspace);
 
 }  // namespace marey::app

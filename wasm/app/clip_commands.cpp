@@ -23,9 +23,9 @@ json apply_settings(Workspace& workspace, std::string name, const ClipSettings& 
   return status ? json(nullptr) : command_error(status.error().message);
 }
 
-std::string blocked_rule(const Workspace& workspace, PositionRule rule) {
-  if (std::string missing = needs_whole_clip(workspace); !missing.empty()) return missing;
-  if (rule != PositionRule::PerJoint || has_joints_that_add(workspace.session.document.skeleton())) return {};
+Reason blocked_rule(const Workspace& workspace, PositionRule rule) {
+  if (const Reason missing = needs_whole_clip(workspace); *missing != '\0') return missing;
+  if (rule != PositionRule::PerJoint || has_joints_that_add(workspace.session.document.skeleton())) return "";
   return "The file's position channels all speak for one meaning.";
 }
 
@@ -64,7 +64,7 @@ void add_up_axis(CommandRegistry& registry, Workspace& workspace, Axis axis, std
 }
 
 /// Why another character set would change nothing.
-std::string needs_names(const Workspace& workspace) {
+Reason needs_names(const Workspace& workspace) {
   if (!workspace.has_clip()) return needs_whole_clip(workspace);
   const Document& document = workspace.session.document;
   if (document.style().encoding != TextEncoding::Bytes) return "The file is UTF-16: its letters are certain.";

@@ -31,8 +31,8 @@ bool belongs_to_focused_control(ImGuiKeyChord chord) {
   }
 }
 
-bool is_pressed(const Command& command, bool control_focused) {
-  for (const ImGuiKeyChord chord : parse_shortcuts(command.shortcut)) {
+bool is_any_pressed(const std::vector<ImGuiKeyChord>& chords, bool control_focused) {
+  for (const ImGuiKeyChord chord : chords) {
     if (control_focused && belongs_to_focused_control(chord)) continue;
     if (is_chord_pressed(chord)) return true;
   }
@@ -43,6 +43,7 @@ bool is_pressed(const Command& command, bool control_focused) {
 
 void CommandRegistry::add(Command command) {
   assert(find(command.id) == nullptr);
+  chords_.push_back(parse_shortcuts(command.shortcut));
   commands_.push_back(std::move(command));
 }
 
@@ -56,7 +57,7 @@ const Command* CommandRegistry::find(std::string_view id) const {
 nlohmann::json CommandRegistry::run(std::string_view id, const nlohmann::json& args) {
   const Command* command = find(id);
   if (command == nullptr) return {{"error", "There is no command \"" + std::string(id) + "\"."}};
-  if (const std::string reason = blocked_reason(*command); !reason.empty()) return {{"error", reason}};
+  if (const std::string_view reason = blocked_reason(*command); !reason.empty()) return {{"error", reason}};
   return run_guarded(*command, args);
 }
 
@@ -68,24 +69,25 @@ nlohmann::json CommandRegistry::run_guarded(const Command& command, const nlohma
   return {{"error", fault->out_of_memory ? out_of_memory("this command").message : fault->details}};
 }
 
-std::string CommandRegistry::label_of(const Command& command) {
-  return command.live_label ? command.live_label() : command.label;
+SmallText CommandRegistry::label_of(const Command& command) {
+  return command.live_label ? command.live_label() : SmallText("{}", command.label);
 }
 
 const char* CommandRegistry::icon_of(const Command& command) {
   return command.live_icon ? command.live_icon() : command.icon;
 }
 
-std::string CommandRegistry::blocked_reason(const Command& command) {
-  return command.blocked ? command.blocked() : std::string();
+std::string_view CommandRegistry::blocked_reason(const Command& command) {
+  return command.blocked ? command.blocked() : std::string_view();
 }
 
 std::string CommandRegistry::run_pressed_shortcut() {
   const ImGuiIO& io = ImGui::GetIO();
   const bool menu_open = ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (io.WantTextInput || menu_open) return {};
-  for (const Command& command : commands_) {
-    if (!is_enabled(command) || !is_pressed(command, io.NavVisible)) continue;
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    const Command& command = commands_[i];
+    if (!is_any_pressed(chords_[i], io.NavVisible) || !is_enabled(command)) continue;
     const std::string id = command.id;
     run_guarded(command, nullptr);
     return id;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -8,8 +10,13 @@
 #include <vector>
 
 #include "wasm/app/faults.h"
+#include "wasm/app/small_text.h"
 
 namespace marey::app {
+
+/// Why something cannot be done now: a short sentence that lives as long as who tells it, "" for no reason. No std::string,
+/// which would be gone: reasons are asked for in each frame.
+using Reason = const char*;
 
 /// One thing the user can do. Menus, shortcuts, the palette, buttons, the page's JavaScript API and the tests all run
 /// it from here.
@@ -24,12 +31,12 @@ struct Command {
   /// an object {"error": sentence} when the arguments are wrong.
   std::function<nlohmann::json(const nlohmann::json& args)> run{};
 
-  /// Why it cannot run now, as a short sentence; "" when it can. Not set: always possible.
-  std::function<std::string()> blocked{};
+  /// Why it cannot run now. Not set: always possible.
+  std::function<Reason()> blocked{};
   /// For toggles: whether it is on, shown as a check mark. Not set: no toggle.
   std::function<bool()> checked{};
   /// A label that depends on the state ("Undo move 12 samples"); not set: `label`.
-  std::function<std::string()> live_label{};
+  std::function<SmallText()> live_label{};
   /// An icon that depends on the state; not set: `icon`.
   std::function<const char*()> live_icon = {};
   bool in_palette = true;
@@ -51,9 +58,9 @@ class CommandRegistry {
   /// returns.
   nlohmann::json run(std::string_view id, const nlohmann::json& args = nullptr);
 
-  [[nodiscard]] static std::string label_of(const Command& command);
+  [[nodiscard]] static SmallText label_of(const Command& command);
   [[nodiscard]] static const char* icon_of(const Command& command);
-  [[nodiscard]] static std::string blocked_reason(const Command& command);
+  [[nodiscard]] static std::string_view blocked_reason(const Command& command);
   [[nodiscard]] static bool is_enabled(const Command& command) { return blocked_reason(command).empty(); }
 
   /// Runs the enabled command whose shortcut is the chord pressed this frame, unless a text field has the keyboard.
@@ -64,6 +71,7 @@ class CommandRegistry {
   nlohmann::json run_guarded(const Command& command, const nlohmann::json& args);
 
   std::vector<Command> commands_;
+  std::vector<std::vector<ImGuiKeyChord>> chords_;  ///< of the commands' shortcuts
   Failed failed_;
 };
 

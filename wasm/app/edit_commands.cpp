@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cctype>
 #include <numeric>
 #include <vector>
@@ -13,17 +15,17 @@ namespace {
 using nlohmann::json;
 
 // "Undo" and "Move 12 samples" read as "Undo: move 12 samples".
-std::string with_step(std::string_view verb, std::string step) {
-  if (step.empty()) return std::string(verb);
-  step[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(step[0])));
-  return std::string(verb) + ": " + step;
+SmallText with_step(std::string_view verb, std::string_view step) {
+  if (step.empty()) return SmallText("{}", verb);
+  const auto first = static_cast<char>(std::tolower(static_cast<unsigned char>(step[0])));
+  return SmallText("{}: {}{}", verb, first, step.substr(1));
 }
 
 json take_step(Workspace& workspace, bool undo) {
   const History& history = workspace.session.document.history();
-  const std::string name = undo ? history.undo_name() : history.redo_name();
+  const std::string name(undo ? history.undo_name() : history.redo_name());
   undo ? workspace.session.undo() : workspace.session.redo();
-  workspace.notify(with_step(undo ? "Undone" : "Redone", name) + ".");
+  workspace.notify(fmt::format("{}.", with_step(undo ? "Undone" : "Redone", name).view()));
   return name;
 }
 
@@ -51,7 +53,7 @@ JointIndex first_child(const Skeleton& skeleton, JointIndex joint) {
   return joint + 1 < skeleton.subtree_end(joint) ? joint + 1 : kNoParent;
 }
 
-std::string needs_joint(const Workspace& workspace) {
+Reason needs_joint(const Workspace& workspace) {
   return workspace.session.selection.active_joint() == kNoParent ? "Select a joint first." : "";
 }
 
@@ -79,7 +81,7 @@ void add_walk_commands(CommandRegistry& registry, Workspace& workspace) {
     return active == kNoParent ? kNoParent : first_child(session.document.skeleton(), active);
   };
   const auto add = [&](std::string id, std::string label, std::string help, std::string shortcut, const char* icon,
-                       const auto& target, std::string no_target) {
+                       const auto& target, Reason no_target) {
     registry.add({.id = std::move(id),
                   .label = std::move(label),
                   .help = std::move(help),
@@ -89,9 +91,9 @@ void add_walk_commands(CommandRegistry& registry, Workspace& workspace) {
                     workspace.session.selection.select_only(target());
                     return nullptr;
                   },
-                  .blocked = [&workspace, target, no_target = std::move(no_target)] {
-                    const std::string reason = needs_joint(workspace);
-                    return !reason.empty() || target() != kNoParent ? reason : no_target;
+                  .blocked = [&workspace, target, no_target] {
+                    const Reason reason = needs_joint(workspace);
+                    return *reason != '\0' || target() != kNoParent ? reason : no_target;
                   }});
   };
   add("select.parent", "Select parent joint", "Selects the joint that carries the selected one.", "[", icons::kArrowUp,
@@ -127,7 +129,7 @@ void add_edit_commands(CommandRegistry& registry, Workspace& workspace) {
                   workspace.session.selection.clear_joints();
                   return nullptr;
                 },
-                .blocked = [&workspace] { return needs_joint(workspace).empty() ? "" : "No joint is selected."; }});
+                .blocked = [&workspace] { return *needs_joint(workspace) == '\0' ? "" : "No joint is selected."; }});
   registry.add({.id = "select.joint",
                 .label = "Select joint",
                 .help = "Selects a joint by its number.",

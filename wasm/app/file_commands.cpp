@@ -45,13 +45,13 @@ std::string download_name(std::string_view file_name) {
   return (stem.empty() ? std::string("clip") : std::string(stem)) + ".bvh";
 }
 
-std::string needs_clip(const Workspace& workspace) { return workspace.has_clip() ? "" : "Open a file first."; }
+Reason needs_clip(const Workspace& workspace) { return workspace.has_clip() ? "" : "Open a file first."; }
 
-std::string needs_whole_clip(const Workspace& workspace) {
+Reason needs_whole_clip(const Workspace& workspace) {
   return workspace.session.is_partial ? "The file is still being read." : needs_clip(workspace);
 }
 
-std::string needs_frames(const Workspace& workspace) {
+Reason needs_frames(const Workspace& workspace) {
   if (!workspace.has_clip()) return needs_clip(workspace);
   return workspace.has_frames() ? "" : "This clip has no frames.";
 }

@@ -54,7 +54,7 @@ struct FrameChoice {
   std::function<bool()> is_left_out;
   std::function<bool()> can_undo;
   std::function<FrameRange()> frames;
-  std::function<std::string()> missing;  ///< why there is nothing to leave out
+  std::function<Reason()> missing;  ///< why there is nothing to leave out
 };
 
 void add_frame_choice(CommandRegistry& registry, Workspace& workspace, FrameChoice choice) {
@@ -63,7 +63,7 @@ void add_frame_choice(CommandRegistry& registry, Workspace& workspace, FrameChoi
     return nullptr;
   };
   choice.keep.checked = [is_left_out = choice.is_left_out] { return !is_left_out(); };
-  choice.keep.blocked = [is_left_out = choice.is_left_out, can_undo = choice.can_undo]() -> std::string {
+  choice.keep.blocked = [is_left_out = choice.is_left_out, can_undo = choice.can_undo]() -> Reason {
     if (!is_left_out()) return "The frames are there.";
     return can_undo() ? "" : "Undo later changes first; undoing brings the frames back.";
   };
@@ -72,7 +72,7 @@ void add_frame_choice(CommandRegistry& registry, Workspace& workspace, FrameChoi
     return apply_removal(workspace, frames(), name);
   };
   choice.leave_out.checked = choice.is_left_out;
-  choice.leave_out.blocked = [&workspace, missing = choice.missing, is_left_out = choice.is_left_out]() -> std::string {
+  choice.leave_out.blocked = [&workspace, missing = choice.missing, is_left_out = choice.is_left_out]() -> Reason {
     if (!workspace.has_frames()) return needs_frames(workspace);
     if (workspace.session.is_partial) return needs_whole_clip(workspace);
     return is_left_out() ? "It is left out already." : missing();

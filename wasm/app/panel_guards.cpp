@@ -73,26 +73,28 @@ std::optional<Fault> draw_guarded(const std::function<void()>& draw) {
   return fault;
 }
 
-void PanelGuards::draw(ViewContext& context, const std::string& id, std::string_view name,
+void PanelGuards::draw(ViewContext& context, std::string_view id, std::string_view name,
                        const std::function<void()>& draw_panel) {
   const bool failed_before = faults_.contains(id);
-  const std::optional<Fault> fault = draw_guarded([&] {
+  const auto draw_it = [&] {
     if (failed_before) {
       draw_fault(context, id);
     } else {
       draw_panel();
     }
-  });
+  };
+  const std::optional<Fault> fault = draw_guarded(std::ref(draw_it));
   // A sentence that cannot be drawn either is left out: it has been told.
   if (!fault || failed_before) return;
-  const Report report{sentence_of(*fault, name), id + ": " + fault->details};
-  faults_[id] = report;
+  const Report report{sentence_of(*fault, name), std::string(id) + ": " + fault->details};
+  faults_.insert_or_assign(std::string(id), report);
   reports_.push_back(report);
   context.redraw = true;
 }
 
-void PanelGuards::draw_fault(ViewContext& context, const std::string& id) {
-  const Report& report = faults_.at(id);
+void PanelGuards::draw_fault(ViewContext& context, std::string_view id) {
+  const auto found = faults_.find(id);
+  const Report& report = found->second;
   const ImVec2 size = ImGui::GetWindowSize();
   const ImVec2 min = ImGui::GetWindowPos();
   ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + size.x, min.y + size.y), context.theme.panel);
@@ -104,21 +106,21 @@ void PanelGuards::draw_fault(ViewContext& context, const std::string& id) {
     ImGui::PushTextWrapPos(kPadding + std::min(kWidestText, size.x - 2.0f * kPadding));
     ImGui::TextUnformatted(report.sentence.c_str());
     ImGui::PopTextWrapPos();
-    context.items.add_last("fault." + id, report.sentence);
+    context.items.add_last(SmallText("fault.{}", id), report.sentence);
     ImGui::SetCursorPosX(kPadding);
   }
-  const bool again = ui::text_button(context, "fault." + id + ".retry", "Try again", "Draws this part of the page again");
+  const bool again = ui::text_button(context, SmallText("fault.{}.retry", id).c_str(), "Try again", "Draws this part of the page again");
   ImGui::SameLine();
-  if (ui::text_button(context, "fault." + id + ".copy", "Copy details", "Puts what went wrong on the clipboard")) {
+  if (ui::text_button(context, SmallText("fault.{}.copy", id).c_str(), "Copy details", "Puts what went wrong on the clipboard")) {
     ImGui::SetClipboardText((report.sentence + "\n" + report.details).c_str());
   }
   if (bar) {
     ImGui::SameLine();
     ui::elided_text(context, report.sentence, std::max(0.0f, size.x - ImGui::GetCursorPosX() - kPadding), context.theme.text);
-    context.items.add_last("fault." + id, report.sentence);
+    context.items.add_last(SmallText("fault.{}", id), report.sentence);
   }
   if (!again) return;
-  faults_.erase(id);
+  faults_.erase(found);
   context.redraw = true;
 }
 

@@ -18,7 +18,7 @@ namespace marey::app {
 class PanelGuards {
  public:
   /// Draws a panel into the current window. `id` is the same in each frame, `name` is for people: "curve editor".
-  void draw(ViewContext& context, const std::string& id, std::string_view name, const std::function<void()>& draw_panel);
+  void draw(ViewContext& context, std::string_view id, std::string_view name, const std::function<void()>& draw_panel);
 
   /// Sentences and details of the faults that have not been told yet; each is given once.
   struct Report {
@@ -28,9 +28,9 @@ class PanelGuards {
   [[nodiscard]] std::vector<Report> take_reports();
 
  private:
-  void draw_fault(ViewContext& context, const std::string& id);
+  void draw_fault(ViewContext& context, std::string_view id);
 
-  std::map<std::string, Report> faults_;
+  std::map<std::string, Report, std::less<>> faults_;
   std::vector<Report> reports_;
 };
 

@@ -88,7 +88,7 @@ void add_playing(CommandRegistry& registry, PlayCommands& commands) {
                   return playback.is_playing();
                 },
                 .blocked = [&workspace] { return needs_frames(workspace); },
-                .live_label = [&workspace] { return workspace.session.playback.is_playing() ? "Pause" : "Play"; },
+                .live_label = [&workspace] { return SmallText("{}", workspace.session.playback.is_playing() ? "Pause" : "Play"); },
                 .live_icon = [&workspace] {
                   return workspace.session.playback.is_playing() ? icons::kPause : icons::kPlay;
                 }});

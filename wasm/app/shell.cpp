@@ -48,9 +48,10 @@ void draw_region(const ViewContext& context, const Place& place, const Draw& dra
   ImGui::EndChild();
 }
 
-void draw_panel(ViewContext& context, PanelGuards& guards, const Place& place, std::string_view name,
-                const std::function<void()>& draw) {
-  draw_region(context, place, [&] { guards.draw(context, place.id, name, draw); });
+// By reference: an std::function with more than that takes memory, and this is done in each frame.
+template <class Draw>
+void draw_panel(ViewContext& context, PanelGuards& guards, const Place& place, std::string_view name, const Draw& draw) {
+  draw_region(context, place, [&] { guards.draw(context, place.id, name, std::ref(draw)); });
 }
 
 struct Splitter {

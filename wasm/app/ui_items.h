@@ -2,7 +2,9 @@
 
 #include <imgui.h>
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace marey::app {
@@ -18,15 +20,16 @@ struct UiItem {
 /// Where every visible widget is, so that tests and embedding pages can click real pixels. Filled anew each frame.
 class UiItems {
  public:
-  void begin_frame() { items_.clear(); }
+  void begin_frame() { count_ = 0; }
   /// Records a rectangle, clipped to the current ImGui clip rectangle; nothing is recorded when nothing is visible.
-  void add(std::string id, std::string label, ImVec2 min, ImVec2 max);
+  void add(std::string_view id, std::string_view label, ImVec2 min, ImVec2 max);
   /// Records the last ImGui item.
-  void add_last(std::string id, std::string label);
-  [[nodiscard]] const std::vector<UiItem>& list() const { return items_; }
+  void add_last(std::string_view id, std::string_view label);
+  [[nodiscard]] std::span<const UiItem> list() const { return std::span(items_).first(count_); }
 
  private:
-  std::vector<UiItem> items_;
+  std::vector<UiItem> items_;  // those behind count_ are of earlier frames: their texts' memory is used again
+  std::size_t count_ = 0;
 };
 
 }  // namespace marey::app

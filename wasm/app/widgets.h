@@ -4,10 +4,11 @@
 #include <string>
 #include <string_view>
 
+#include "wasm/app/small_text.h"
 #include "wasm/app/view_context.h"
 
 /// The controls of the page: one look, a tool tip on each, each recorded in UiItems. Views use these instead of bare
-/// ImGui controls.
+/// ImGui controls. Ids end with a NUL.
 namespace marey::app::ui {
 
 enum class ButtonLook { Plain, Raised, Primary };
@@ -18,10 +19,10 @@ bool command_button(ViewContext& context, std::string_view command_id, ButtonLoo
                     bool with_label = false, std::string_view id_suffix = {});
 
 /// Icon button that is no command. `tool_tip`: name and what it does.
-bool icon_button(ViewContext& context, const std::string& id, const char* icon, std::string_view tool_tip,
+bool icon_button(ViewContext& context, const char* id, const char* icon, std::string_view tool_tip,
                  bool active = false);
 
-bool text_button(ViewContext& context, const std::string& id, std::string_view label, std::string_view tool_tip,
+bool text_button(ViewContext& context, const char* id, std::string_view label, std::string_view tool_tip,
                  ButtonLook look = ButtonLook::Raised);
 
 /// How a number is shown and changed.
@@ -46,11 +47,11 @@ struct NumberResult {
 };
 
 /// Number with its unit: drag to change, double click or Enter to type, arrow keys step, Escape reverts.
-NumberResult number_field(ViewContext& context, const std::string& id, std::string_view label, double value,
+NumberResult number_field(ViewContext& context, const char* id, std::string_view label, double value,
                           const NumberFormat& format);
 
 /// Search field with a clear button; returns true when the text changed.
-bool search_field(ViewContext& context, const std::string& id, std::string_view hint, std::string& text);
+bool search_field(ViewContext& context, const char* id, std::string_view hint, std::string& text);
 
 /// One entry of a choice; the id is that of its row in the open list.
 struct ChoiceOption {
@@ -60,10 +61,10 @@ struct ChoiceOption {
 
 /// One of several: shows the chosen option, opens the list on a click. `chosen` out of range shows nothing. Returns
 /// true when another one was chosen.
-bool choice(ViewContext& context, const std::string& id, std::string_view label, std::string_view tip,
+bool choice(ViewContext& context, const char* id, std::string_view label, std::string_view tip,
             std::span<const ChoiceOption> options, int& chosen, float width);
 
-bool toggle(ViewContext& context, const std::string& id, std::string_view label, std::string_view tool_tip, bool& on);
+bool toggle(ViewContext& context, const char* id, std::string_view label, std::string_view tool_tip, bool& on);
 
 /// Panel title in the title face, 15 semibold, on one 32 px row.
 void panel_title(ViewContext& context, std::string_view title);

@@ -79,9 +79,9 @@ void draw_face(const ViewContext& context, const ButtonFace& face, ImVec2 min, I
                     face.label.data() + face.label.size());
 }
 
-bool draw_button(const ViewContext& context, const std::string& id, const ButtonFace& face) {
+bool draw_button(const ViewContext& context, const char* id, const ButtonFace& face) {
   const ImVec2 size = button_size(context, face);
-  const bool pressed = ImGui::InvisibleButton(id.c_str(), size, ImGuiButtonFlags_EnableNav);
+  const bool pressed = ImGui::InvisibleButton(id, size, ImGuiButtonFlags_EnableNav);
   const ImVec2 min = ImGui::GetItemRectMin();
   const ImVec2 max = ImGui::GetItemRectMax();
   draw_ground(context.theme, face, {ImGui::IsItemHovered(), ImGui::IsItemActive()}, min, max);
@@ -102,40 +102,39 @@ bool command_button(ViewContext& context, std::string_view command_id, ButtonLoo
                     std::string_view id_suffix) {
   const Command* command = context.commands.find(command_id);
   if (command == nullptr) return false;
-  const std::string reason = CommandRegistry::blocked_reason(*command);
-  const std::string id = command->id + std::string(id_suffix);
+  const bool enabled = CommandRegistry::is_enabled(*command);
+  const SmallText id("{}{}", command->id, id_suffix);
   const bool shows_label = with_label || command->icon == nullptr;
   const ButtonFace face{CommandRegistry::icon_of(*command), shows_label ? std::string_view(command->label) : std::string_view(), look,
-                        reason.empty(), command->checked && command->checked()};
-  const bool ran = draw_button(context, id, face);
-  const std::string label = CommandRegistry::label_of(*command);
-  context.items.add_last(id, label);
+                        enabled, command->checked && command->checked()};
+  const bool ran = draw_button(context, id.c_str(), face);
+  context.items.add_last(id, CommandRegistry::label_of(*command));
   command_tool_tip(context, *command);
   if (ran) context.commands.run(command_id);
   return ran;
 }
 
-bool icon_button(ViewContext& context, const std::string& id, const char* icon, std::string_view tip, bool active) {
+bool icon_button(ViewContext& context, const char* id, const char* icon, std::string_view tip, bool active) {
   const bool pressed = draw_button(context, id, {icon, {}, ButtonLook::Plain, true, active});
   const auto [name, help] = split_tip(tip);
-  context.items.add_last(id, std::string(name));
+  context.items.add_last(id, name);
   tool_tip(context, name, help);
   return pressed;
 }
 
-bool text_button(ViewContext& context, const std::string& id, std::string_view label, std::string_view tip,
+bool text_button(ViewContext& context, const char* id, std::string_view label, std::string_view tip,
                  ButtonLook look) {
   const bool pressed = draw_button(context, id, {nullptr, label, look, true, false});
-  context.items.add_last(id, std::string(label));
+  context.items.add_last(id, label);
   tool_tip(context, label, tip);
   return pressed;
 }
 
-bool toggle(ViewContext& context, const std::string& id, std::string_view label, std::string_view tip, bool& on) {
+bool toggle(ViewContext& context, const char* id, std::string_view label, std::string_view tip, bool& on) {
   const float box = Fonts::kTextSize;
   const ImVec2 label_extent = ImGui::CalcTextSize(label.data(), label.data() + label.size());
   const float height = ImGui::GetFrameHeight();
-  const bool pressed = ImGui::InvisibleButton(id.c_str(), ImVec2(box + kIconGap + label_extent.x + 4.0f, height),
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(box + kIconGap + label_extent.x + 4.0f, height),
                                               ImGuiButtonFlags_EnableNav);
   if (pressed) on = !on;
   const ImVec2 min = ImGui::GetItemRectMin();
@@ -152,7 +151,7 @@ bool toggle(ViewContext& context, const std::string& id, std::string_view label,
   }
   draw_list.AddText(ImVec2(box_max.x + kIconGap, std::round(min.y + (height - Fonts::kTextSize) * 0.5f)), theme.text,
                     label.data(), label.data() + label.size());
-  context.items.add_last(id, std::string(label));
+  context.items.add_last(id, label);
   tool_tip(context, label, tip);
   return pressed;
 }

@@ -13,7 +13,7 @@ constexpr float kMarkColumn = 24.0f;
 
 float text_top(ImVec2 min, ImVec2 max) { return std::round((min.y + max.y - Fonts::kTextSize) * 0.5f); }
 
-void draw_field(const ViewContext& context, const std::string& shown) {
+void draw_field(const ViewContext& context, std::string_view shown) {
   const Theme& theme = context.theme;
   const ImVec2 min = ImGui::GetItemRectMin();
   const ImVec2 max = ImGui::GetItemRectMax();
@@ -21,7 +21,8 @@ void draw_field(const ViewContext& context, const std::string& shown) {
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
   draw_list.AddRectFilled(min, max, touched ? theme.hovered : theme.raised, 4.0f);
   draw_list.AddRect(min, max, theme.line, 4.0f, 0, device_pixel());
-  draw_list.AddText(ImVec2(min.x + kPadding, text_top(min, max)), theme.text, shown.c_str());
+  draw_list.AddText(ImVec2(min.x + kPadding, text_top(min, max)), theme.text, shown.data(),
+                    shown.data() + shown.size());
   draw_list.AddText(ImVec2(max.x - kPadding - Fonts::kTextSize + 2.0f, text_top(min, max)), theme.dim_text,
                     icons::kChevronDown);
 }
@@ -51,15 +52,15 @@ void place_list(ImVec2 field_min, ImVec2 field_max, int options) {
 
 }  // namespace
 
-bool choice(ViewContext& context, const std::string& id, std::string_view label, std::string_view tip,
+bool choice(ViewContext& context, const char* id, std::string_view label, std::string_view tip,
             std::span<const ChoiceOption> options, int& chosen, float width) {
-  const std::string list_id = "##" + id + ".list";
-  if (ImGui::InvisibleButton(id.c_str(), ImVec2(width, ImGui::GetFrameHeight()), ImGuiButtonFlags_EnableNav)) {
+  const SmallText list_id("##{}.list", id);
+  if (ImGui::InvisibleButton(id, ImVec2(width, ImGui::GetFrameHeight()), ImGuiButtonFlags_EnableNav)) {
     ImGui::OpenPopup(list_id.c_str());
   }
   const bool is_known = chosen >= 0 && chosen < size_of(options);
-  draw_field(context, is_known ? options[idx(chosen)].label : std::string());
-  context.items.add_last(id, std::string(label));
+  draw_field(context, is_known ? std::string_view(options[idx(chosen)].label) : std::string_view());
+  context.items.add_last(id, label);
   tool_tip(context, label, tip);
 
   place_list(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), size_of(options));

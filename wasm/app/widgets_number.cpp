@@ -53,12 +53,12 @@ NumberResult finish_typing(ViewContext& context, const Field& field) {
   return {NumberEvent::Committed, held_in(field.format, *typed), state.new_gesture()};
 }
 
-NumberResult draw_typing(ViewContext& context, const std::string& id, const Field& field) {
+NumberResult draw_typing(ViewContext& context, const char* id, const Field& field) {
   WidgetState& state = context.widgets;
   if (state.number_typing_frames == 0) ImGui::SetKeyboardFocusHere();
   ImGui::PushFont(context.fonts.mono, 0.0f);
   ImGui::SetNextItemWidth(field.format.width);
-  const bool entered = ImGui::InputText(("##typed." + id).c_str(), &state.number_text,
+  const bool entered = ImGui::InputText(SmallText("##typed.{}", id).c_str(), &state.number_text,
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   ImGui::PopFont();
   const bool active = ImGui::IsItemActive();
@@ -155,19 +155,19 @@ NumberResult follow_arrow_keys(ViewContext& context, const Field& field) {
 
 }  // namespace
 
-NumberResult number_field(ViewContext& context, const std::string& id, std::string_view label, double value,
+NumberResult number_field(ViewContext& context, const char* id, std::string_view label, double value,
                           const NumberFormat& format) {
   WidgetState& state = context.widgets;
-  const Field field{ImGui::GetID(id.c_str()), label, value, format};
+  const Field field{ImGui::GetID(id), label, value, format};
   if (state.number_typing && state.number_id == field.item) return draw_typing(context, id, field);
 
   const bool was_dragged = state.number_id == field.item && state.number_gesture != 0;
-  const bool pressed = ImGui::InvisibleButton(id.c_str(), ImVec2(format.width, ImGui::GetFrameHeight()),
+  const bool pressed = ImGui::InvisibleButton(id, ImVec2(format.width, ImGui::GetFrameHeight()),
                                               ImGuiButtonFlags_EnableNav);
   const bool focused = is_focused(field.item);
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   draw_resting(context, field, focused || ImGui::IsItemActive());
-  context.items.add_last(id, std::string(label));
+  context.items.add_last(id, label);
   tool_tip(context, label, kNumberHelp);
 
   NumberResult result = follow_drag(context, field);

@@ -24,15 +24,15 @@ std::size_t character_start(std::string_view text, std::size_t position) {
   return position;
 }
 
-std::string cut_in_the_middle(std::string_view text, std::size_t kept) {
+SmallText cut_in_the_middle(std::string_view text, std::size_t kept) {
   const std::size_t head = character_start(text, (kept + 1) / 2);
   std::size_t tail = text.size() - kept / 2;
   while (tail < text.size() && is_continuation(text[tail])) ++tail;
-  return std::string(text.substr(0, head)) + std::string(kEllipsis) + std::string(text.substr(tail));
+  return SmallText("{}{}{}", text.substr(0, head), kEllipsis, text.substr(tail));
 }
 
 // The longest cut that fits; wider texts have wider cuts, so the number of kept bytes is found by bisection.
-std::string fitted(std::string_view text, float width) {
+SmallText fitted(std::string_view text, float width) {
   std::size_t fits = 0;
   std::size_t too_many = text.size();
   while (too_many - fits > 1) {
@@ -97,15 +97,15 @@ void command_tool_tip(ViewContext& context, const Command& command) {
            CommandRegistry::blocked_reason(command));
 }
 
-bool search_field(ViewContext& context, const std::string& id, std::string_view hint, std::string& text) {
+bool search_field(ViewContext& context, const char* id, std::string_view hint, std::string& text) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
   const float width = ImGui::CalcItemWidth();
   const float height = ImGui::GetFrameHeight();
   const float clear_width = text.empty() ? 0.0f : height;
-  const std::string empty_hint(hint);
+  const SmallText empty_hint("{}", hint);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(30.0f, ImGui::GetStyle().FramePadding.y));
   ImGui::SetNextItemWidth(width - clear_width);
-  bool changed = ImGui::InputTextWithHint(("##" + id).c_str(), empty_hint.c_str(), &text,
+  bool changed = ImGui::InputTextWithHint(SmallText("##{}", id).c_str(), empty_hint.c_str(), &text,
                                           ImGuiInputTextFlags_EscapeClearsAll);
   ImGui::PopStyleVar();
   const bool focused = ImGui::IsItemActive();
@@ -116,7 +116,7 @@ bool search_field(ViewContext& context, const std::string& id, std::string_view 
                     context.theme.dim_text, icons::kSearch);
   if (clear_width > 0.0f) {
     ImGui::SameLine(0.0f, 0.0f);
-    if (icon_button(context, id + ".clear", icons::kX, "Clear the search")) {
+    if (icon_button(context, SmallText("{}.clear", id).c_str(), icons::kX, "Clear the search")) {
       text.clear();
       changed = true;
     }
@@ -144,9 +144,13 @@ void dim_text(const ViewContext& context, std::string_view text) {
 
 void elided_text(ViewContext& context, std::string_view text, float width, ImU32 color) {
   const bool fits = text_width(text) <= width;
-  const std::string shown = fits ? std::string(text) : fitted(text, width);
   ImGui::PushStyleColor(ImGuiCol_Text, color);
-  ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
+  if (fits) {
+    ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  } else {
+    const SmallText shown = fitted(text, width);
+    ImGui::TextUnformatted(shown.c_str());
+  }
   ImGui::PopStyleColor();
   if (!fits) tool_tip(context, text, {});
 }

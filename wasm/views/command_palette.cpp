@@ -41,7 +41,7 @@ void CommandPalette::collect(const CommandRegistry& registry) {
   entries_.clear();
   for (const Command& command : registry.all()) {
     if (!command.in_palette) continue;
-    const std::string label = CommandRegistry::label_of(command);
+    const std::string label(CommandRegistry::label_of(command));
     if (auto match = find_fuzzy_match(query_, label)) {
       entries_.push_back({&command, match->score + 2, std::move(match->positions)});
     } else if (auto by_help = find_fuzzy_match(query_, command.id)) {
@@ -92,7 +92,7 @@ void CommandPalette::follow_keys() {
 bool CommandPalette::draw_entry(ViewContext& context, const Entry& entry, bool chosen) {
   const Command& command = *entry.command;
   const Theme& theme = context.theme;
-  const std::string reason = CommandRegistry::blocked_reason(command);
+  const std::string_view reason = CommandRegistry::blocked_reason(command);
   const std::string id = "palette." + command.id;
   const bool pressed = ImGui::InvisibleButton(id.c_str(), ImVec2(ImGui::GetContentRegionAvail().x, kRowHeight));
   const ImVec2 min = ImGui::GetItemRectMin();
@@ -107,8 +107,8 @@ bool CommandPalette::draw_entry(ViewContext& context, const Entry& entry, bool c
   const bool on = command.checked && command.checked();
   const char* icon = on ? icons::kCheck : CommandRegistry::icon_of(command);
   if (icon != nullptr) draw_list.AddText(ImVec2(min.x + 10.0f, y), on ? theme.accent : theme.dim_text, icon);
-  draw_label(context, CommandRegistry::label_of(command), entry.positions, ImVec2(min.x + 38.0f, y), color);
-  const std::string right = reason.empty() ? displayed_shortcut(command.shortcut, context.system.apple_keys) : reason;
+  draw_label(context, std::string(CommandRegistry::label_of(command)), entry.positions, ImVec2(min.x + 38.0f, y), color);
+  const std::string right = reason.empty() ? displayed_shortcut(command.shortcut, context.system.apple_keys) : std::string(reason);
   const float width = ImGui::CalcTextSize(right.c_str()).x;
   draw_list.AddText(ImVec2(max.x - 10.0f - width, y), reason.empty() ? theme.dim_text : theme.warning, right.c_str());
   context.items.add_last(id, CommandRegistry::label_of(command));

@@ -1,7 +1,5 @@
 #include "wasm/views/inspector_view.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "wasm/app/widgets.h"
@@ -19,17 +17,18 @@ int problem_count(const Diagnostics& diagnostics) {
 
 }  // namespace
 
-void InspectorView::draw_tab(ViewContext& context, Page page, const char* id, const std::string& label) {
+void InspectorView::draw_tab(ViewContext& context, Page page, const char* id, std::string_view label) {
   const bool active = page == page_;
   ImGui::PushFont(context.fonts.semibold, Fonts::kTextSize);
-  const ImVec2 text = ImGui::CalcTextSize(label.c_str());
+  const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const ImVec2 max{min.x + text.x + 2.0f * kTabPadding, min.y + kTabHeight};
   if (ImGui::InvisibleButton(id, {max.x - min.x, kTabHeight})) page_ = page;
   context.items.add_last(id, label);
   const ImU32 color = active || ImGui::IsItemHovered() ? context.theme.text : context.theme.dim_text;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText({min.x + kTabPadding, min.y + 0.5f * (kTabHeight - text.y)}, color, label.c_str());
+  list.AddText({min.x + kTabPadding, min.y + 0.5f * (kTabHeight - text.y)}, color, label.data(),
+               label.data() + label.size());
   if (active) {
     list.AddRectFilled({min.x + kTabPadding, max.y - 2.0f}, {max.x - kTabPadding, max.y}, context.theme.accent, 1.0f);
   }
@@ -44,7 +43,7 @@ void InspectorView::draw_tabs(ViewContext& context) {
   draw_tab(context, Page::Clip, "inspector.tab.clip", "Clip");
   ImGui::SameLine(0.0f, 0.0f);
   draw_tab(context, Page::Problems, "inspector.tab.problems",
-           problems > 0 ? fmt::format("Problems ({})", problems) : std::string("Problems"));
+           problems > 0 ? SmallText("Problems ({})", problems) : SmallText("Problems"));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y}, context.theme.line);
 }

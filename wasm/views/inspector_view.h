@@ -16,7 +16,7 @@ class InspectorView {
 
  private:
   void draw_tabs(ViewContext& context);
-  void draw_tab(ViewContext& context, Page page, const char* id, const std::string& label);
+  void draw_tab(ViewContext& context, Page page, const char* id, std::string_view label);
 
   Page page_ = Page::Joint;
   JointPage joint_page_;

@@ -18,7 +18,7 @@ constexpr float kLeastWidth = 220.0f;
 
 bool is_heading(std::string_view entry) { return entry.starts_with('#'); }
 
-float text_width(const std::string& text) { return ImGui::CalcTextSize(text.c_str()).x; }
+float text_width(std::string_view text) { return ImGui::CalcTextSize(text.data(), text.data() + text.size()).x; }
 
 float row_width(const ViewContext& context, const Command& command) {
   const std::string keys = displayed_shortcut(command.shortcut, context.system.apple_keys);

@@ -4,8 +4,7 @@
 
 namespace marey::app {
 
-void apply_number(ViewContext& context, const ui::NumberResult& result,
-                  const std::function<Edit(const Clip&)>& make_edit) {
+void apply_number_event(ViewContext& context, const ui::NumberResult& result, const History::MakeEdit& make_edit) {
   Session& session = context.session;
   Status status;
   switch (result.event) {

@@ -106,7 +106,7 @@ void OutlinerView::fold(JointIndex joint, bool folded) {
 void OutlinerView::draw_fold_button(ViewContext& context, const Row& row, ImVec2 min, float height) {
   if (!row.has_children || !search_.empty()) return;
   ImGui::SetCursorScreenPos(min);
-  const std::string id = fmt::format("outliner.fold.{}", row.joint);
+  const SmallText id("outliner.fold.{}", row.joint);
   const bool pressed = ImGui::InvisibleButton(id.c_str(), {kFoldWidth, height});
   context.items.add_last(id, "Fold");
   if (pressed) fold(row.joint, !folded_[idx(row.joint)]);
@@ -121,7 +121,7 @@ void OutlinerView::draw_eye_button(ViewContext& context, JointIndex joint, ImVec
   if (skeleton.channel_count(joint) == 0) return;
   const bool shown = shows_curves(selection, skeleton, joint);
   ImGui::SetCursorScreenPos({max.x - kEyeWidth, max.y - height});
-  const std::string id = fmt::format("outliner.curves.{}", joint);
+  const SmallText id("outliner.curves.{}", joint);
   if (ImGui::InvisibleButton(id.c_str(), {kEyeWidth, height})) set_curves_shown(selection, skeleton, joint, !shown);
   context.items.add_last(id, "Show curves");
   ui::tool_tip(context, "Curves of this joint", shown ? "Click to hide them." : "Click to show them.");
@@ -163,7 +163,7 @@ void OutlinerView::draw_row(ViewContext& context, const Row& row) {
     draw_eye_button(context, row.joint, max, height);
   }
   ImGui::SetCursorScreenPos(min);
-  const std::string id = fmt::format("outliner.joint.{}", row.joint);
+  const SmallText id("outliner.joint.{}", row.joint);
   if (ImGui::InvisibleButton(id.c_str(), {max.x - min.x, height})) click(context, row.joint);
   context.items.add_last(id, skeleton.name(row.joint));
 }

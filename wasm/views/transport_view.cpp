@@ -43,16 +43,22 @@ void TransportView::draw_buttons(ViewContext& context) {
   ui::command_button(context, "play.loop");
 }
 
+void TransportView::follow_speed(double speed) {
+  if (present_speed_ >= 0 && speeds_[idx(present_speed_)] == speed) return;
+  speeds_.assign(kSpeeds.begin(), kSpeeds.end());
+  auto present = std::lower_bound(speeds_.begin(), speeds_.end(), speed);
+  if (present == speeds_.end() || *present != speed) present = speeds_.insert(present, speed);
+  present_speed_ = static_cast<int>(present - speeds_.begin());
+  speed_options_.clear();
+  for (const double each : speeds_) speed_options_.push_back({fmt::format("play.speed.{:g}", each), speed_label(each)});
+}
+
 void TransportView::draw_speed(ViewContext& context) {
   Playback& playback = context.session.playback;
-  std::vector<double> speeds(kSpeeds.begin(), kSpeeds.end());
-  const auto present = std::lower_bound(speeds.begin(), speeds.end(), playback.speed());
-  auto chosen = static_cast<int>(present - speeds.begin());
-  if (present == speeds.end() || *present != playback.speed()) speeds.insert(present, playback.speed());
-  std::vector<ui::ChoiceOption> options;
-  for (const double speed : speeds) options.push_back({fmt::format("play.speed.{:g}", speed), speed_label(speed)});
+  follow_speed(playback.speed());
+  int chosen = present_speed_;
   const auto tip = "How fast the clip plays. Below 1× poses are interpolated between frames.";
-  if (ui::choice(context, "play.speed", "Speed", tip, options, chosen, 76.0f)) playback.set_speed(speeds[idx(chosen)]);
+  if (ui::choice(context, "play.speed", "Speed", tip, speed_options_, chosen, 76.0f)) playback.set_speed(speeds_[idx(chosen)]);
 }
 
 void TransportView::draw_position(ViewContext& context) {

@@ -1,4 +1,5 @@
 // Defects that tests/fuzz found, each as small as it gets.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -83,6 +84,11 @@ TEST(FoundByFuzzing, AsManyBlanksBetweenNumbersAsAWordHasBytes) {
   for (int i = 0; i < 3; ++i) rows += "1.5" + blanks + "-2.5" + blanks + "3.5\n";
   const BvhClip clip = read_or_fail(one_joint_file("3", rows));
   EXPECT_EQ(rows_of(clip), Rows(3, {1.5, -2.5, 3.5}));
+}
+
+TEST(FoundByFuzzing, TextBehindAHeaderWithoutChannelsStaysWhatItIs) {
+  const BvhClip clip = read_or_fail("HIERARCHY\nROOT a\n{\n OFFSET 0 0 0\n CHANNELS 0\n}\nMOTION\nFrames: 0\nFrame Time: 0.1\nsome words 1 2\n0.0 1.0\nmore\n");
+  EXPECT_THAT(written(clip), testing::EndsWith("Frame Time: 0.1\nsome words 1 2\n0.0 1.0\nmore\n"));
 }
 
 }  // namespace

@@ -45,9 +45,11 @@ void draw_row(ViewContext& context, ChannelIndex index) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   Selection& selection = context.session.selection;
   const bool visible = selection.is_channel_visible(index);
-  const std::string id = fmt::format("curves.channel.{}", index);
+  const SmallText id("curves.channel.{}", index);
   if (ImGui::InvisibleButton(id.c_str(), {width, kRowHeight})) selection.set_channel_visible(index, !visible);
-  context.items.add_last(id, channel_label(context.session.document.skeleton(), index));
+  const Skeleton& skeleton = context.session.document.skeleton();
+  const Channel& channel = skeleton.channel(index);
+  context.items.add_last(id, SmallText("{} {}", skeleton.name(channel.joint), channel_name(channel)));
   const bool hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   if (hovered || context.hover.channel == index) {
@@ -55,7 +57,7 @@ void draw_row(ViewContext& context, ChannelIndex index) {
   }
   if (hovered) {
     context.next_hover.channel = index;
-    ui::tool_tip(context, channel_label(context.session.document.skeleton(), index),
+    ui::tool_tip(context, channel_label(skeleton, index),
                  visible ? "Click to hide this curve." : "Click to show this curve.");
   }
   draw_row_texts(context, index, min, width);

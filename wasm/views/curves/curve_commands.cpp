@@ -14,11 +14,11 @@ namespace {
 using Json = nlohmann::json;
 constexpr double kAnyNumber = 1e12;
 
-std::string without_curves(const CurveCommandTargets& t) {
+Reason without_curves(const CurveCommandTargets& t) {
   return t.state.shown.empty() ? "Select a joint first." : "";
 }
 
-std::string without_samples(const CurveCommandTargets& t) {
+Reason without_samples(const CurveCommandTargets& t) {
   return t.session.selection.samples().empty() ? "Select samples in the curve editor first." : "";
 }
 

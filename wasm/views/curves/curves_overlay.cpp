@@ -16,21 +16,21 @@ namespace {
 
 constexpr float kLabelHeight = 16.0f;
 constexpr float kLabelPadding = 5.0f;
-constexpr std::size_t kMostCursorLabels = 12;
+constexpr std::size_t kMostCurveLabels = 12;
 
 ImDrawList& draw_list() { return *ImGui::GetWindowDrawList(); }
 
-std::string value_text(const Channel& channel, double value) {
+SmallText value_text(const Channel& channel, double value) {
   const bool angle = is_rotation(channel.kind);
-  return fmt::format("{}{}{}", tick_label(value, angle ? 2 : 3), angle ? "" : " ", unit_of(channel.kind));
+  return SmallText("{}{}{}", tick_label(value, angle ? 2 : 3), angle ? "" : " ", unit_of(channel.kind));
 }
 
-float text_width(const Fonts& fonts, const std::string& text) {
+float text_width(const Fonts& fonts, const SmallText& text) {
   return fonts.mono->CalcTextSizeA(Fonts::kSmallSize, FLT_MAX, 0.0f, text.c_str()).x;
 }
 
 // Raised chip with text, kept within the area.
-void draw_chip(ViewContext& context, const GraphArea& area, ImVec2 place, const std::string& text, ImU32 color) {
+void draw_chip(ViewContext& context, const GraphArea& area, ImVec2 place, const SmallText& text, ImU32 color) {
   const float width = text_width(context.fonts, text) + 2.0f * kLabelPadding;
   const float x = std::clamp(place.x, area.min.x, std::max(area.min.x, area.max.x - width));
   const float y = std::clamp(place.y, area.min.y, std::max(area.min.y, area.max.y - kLabelHeight));
@@ -41,18 +41,29 @@ void draw_chip(ViewContext& context, const GraphArea& area, ImVec2 place, const 
   draw_list().AddText(context.fonts.mono, Fonts::kSmallSize, {min.x + kLabelPadding, min.y + 2.0f}, color, text.c_str());
 }
 
-struct CursorLabel {
+/// A text beside a curve.
+struct CurveLabel {
   float y = 0.0f;
-  std::string text;
-  ImU32 color = 0;
+  ChannelIndex channel = 0;
+};
+
+/// Of the active joint's curves, as many as find room.
+struct CurveLabels {
+  std::array<CurveLabel, kMostCurveLabels> labels;
+  std::size_t count = 0;
+
+  void add(CurveLabel label) {
+    if (count < labels.size()) labels[count++] = label;
+  }
+  [[nodiscard]] std::span<CurveLabel> list() { return std::span(labels).first(count); }
 };
 
 // Pushes labels down until none covers another, then up again from the lower edge.
-void declutter(std::vector<CursorLabel>& labels, const GraphArea& area) {
+void declutter(std::span<CurveLabel> labels, const GraphArea& area) {
   constexpr float kGap = kLabelHeight + 2.0f;
-  std::sort(labels.begin(), labels.end(), [](const CursorLabel& a, const CursorLabel& b) { return a.y < b.y; });
+  std::sort(labels.begin(), labels.end(), [](const CurveLabel& a, const CurveLabel& b) { return a.y < b.y; });
   float lowest = area.min.y;
-  for (CursorLabel& label : labels) {
+  for (CurveLabel& label : labels) {
     label.y = std::max(label.y, lowest);
     lowest = label.y + kGap;
   }
@@ -63,28 +74,28 @@ void declutter(std::vector<CursorLabel>& labels, const GraphArea& area) {
   }
 }
 
-std::vector<CursorLabel> cursor_labels(ViewContext& context, const CurvesState& state, FrameIndex frame) {
-  std::vector<CursorLabel> labels;
+CurveLabels cursor_labels(ViewContext& context, const CurvesState& state, FrameIndex frame) {
+  CurveLabels labels;
   const Document& document = context.session.document;
   const JointIndex active = context.session.selection.active_joint();
   for (const ChannelIndex channel : state.shown) {
     const Channel& described = document.skeleton().channel(channel);
-    if (described.joint != active || labels.size() >= kMostCursorLabels) continue;
+    if (described.joint != active) continue;
     const double value = document.motion().sample(channel, frame);
     const float y = state.axis_of(document.skeleton(), channel).y_of(value);
-    labels.push_back({std::isfinite(value) ? y - 0.5f * kLabelHeight : state.area.min.y,
-                      fmt::format("{} {}", short_name_of(described), value_text(described, value)),
-                      channel_color(context.theme, described)});
+    labels.add({std::isfinite(value) ? y - 0.5f * kLabelHeight : state.area.min.y, channel});
   }
-  declutter(labels, state.area);
+  declutter(labels.list(), state.area);
   return labels;
 }
 
 // The name of a curve, above its last visible sample: the axes take the room beside it.
-void draw_end_letter(ViewContext& context, const CursorLabel& label, float right) {
-  const float width = context.fonts.semibold->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, label.text.c_str()).x;
+void draw_end_letter(ViewContext& context, const CurveLabel& label, float right) {
+  const Channel& channel = context.session.document.skeleton().channel(label.channel);
+  const char* name = short_name_of(channel);
+  const float width = context.fonts.semibold->CalcTextSizeA(Fonts::kSmallSize, 1e6f, 0.0f, name).x;
   draw_list().AddText(context.fonts.semibold, Fonts::kSmallSize, {std::round(right - width), std::round(label.y)},
-                      label.color, label.text.c_str());
+                      channel_color(context.theme, channel), name);
 }
 
 FrameRange falloff_hull(const Session& session, ChannelIndex channel) {
@@ -120,7 +131,7 @@ void draw_falloff_band(ViewContext& context, const CurvesState& state) {
   draw_list().AddLine({left, state.area.min.y}, {left, state.area.max.y}, with_alpha(context.theme.selection, 0.5f));
   draw_list().AddLine({right, state.area.min.y}, {right, state.area.max.y}, with_alpha(context.theme.selection, 0.5f));
   draw_chip(context, state.area, {left, state.area.max.y - kLabelHeight - 4.0f},
-            fmt::format("Falloff {:.0f} frames", radius), context.theme.selection);
+            SmallText("Falloff {:.0f} frames", radius), context.theme.selection);
 }
 
 void draw_box(ViewContext& context, const CurvesState& state) {
@@ -137,10 +148,15 @@ void draw_cursor(ViewContext& context, const CurvesState& state) {
   const float x = std::round(context.time_window.x_of(playback.position()));
   draw_list().AddLine({x, state.area.min.y}, {x, state.area.max.y}, context.theme.cursor, 1.5f);
   if (context.session.document.motion().frame_count() == 0) return;
-  for (const CursorLabel& label : cursor_labels(context, state, playback.frame())) {
-    const float width = text_width(context.fonts, label.text) + 2.0f * kLabelPadding;
+  const Document& document = context.session.document;
+  CurveLabels labels = cursor_labels(context, state, playback.frame());
+  for (const CurveLabel& label : labels.list()) {
+    const Channel& channel = document.skeleton().channel(label.channel);
+    const SmallText value = value_text(channel, document.motion().sample(label.channel, playback.frame()));
+    const SmallText text("{} {}", short_name_of(channel), value.view());
+    const float width = text_width(context.fonts, text) + 2.0f * kLabelPadding;
     const bool fits_right = x + 8.0f + width <= state.area.max.x;
-    draw_chip(context, state.area, {fits_right ? x + 8.0f : x - 8.0f - width, label.y}, label.text, label.color);
+    draw_chip(context, state.area, {fits_right ? x + 8.0f : x - 8.0f - width, label.y}, text, channel_color(context.theme, channel));
   }
 }
 
@@ -148,18 +164,18 @@ void draw_end_letters(ViewContext& context, const CurvesState& state) {
   const Document& document = context.session.document;
   const int last_frame = document.motion().frame_count() - 1;
   const int frame = std::clamp(static_cast<int>(std::floor(context.time_window.last)), 0, last_frame);
-  std::vector<CursorLabel> letters;
+  CurveLabels letters;
   for (const ChannelIndex channel : state.shown) {
     const Channel& described = document.skeleton().channel(channel);
     const double value = document.motion().sample(channel, frame);
     const float y = state.axis_of(document.skeleton(), channel).y_of(value);
     if (!std::isfinite(value) || y < state.area.min.y || y > state.area.max.y) continue;
     if (described.joint != context.session.selection.active_joint()) continue;
-    letters.push_back({y - kLabelHeight, short_name_of(described), channel_color(context.theme, described)});
+    letters.add({y - kLabelHeight, channel});
   }
-  declutter(letters, state.area);
+  declutter(letters.list(), state.area);
   const float right = std::min(context.time_window.x_of(frame), state.area.max.x - 4.0f);
-  for (const CursorLabel& letter : letters) draw_end_letter(context, letter, right);
+  for (const CurveLabel& letter : letters.list()) draw_end_letter(context, letter, right);
 }
 
 void draw_hit_label(ViewContext& context, const CurvesState& state) {
@@ -171,9 +187,9 @@ void draw_hit_label(ViewContext& context, const CurvesState& state) {
   const double value = document.motion().sample(hit.channel, hit.frame);
   const ImVec2 place{context.time_window.x_of(hit.frame) + 10.0f,
                      state.axis_of(document.skeleton(), hit.channel).y_of(value) - kLabelHeight - 8.0f};
-  const std::string joint = document.skeleton().name(channel.joint);
   draw_chip(context, state.area, place,
-            fmt::format("{} {}  frame {}  {}", joint, short_name_of(channel), hit.frame + 1, value_text(channel, value)),
+            SmallText("{} {}  frame {}  {}", document.skeleton().name(channel.joint), short_name_of(channel), hit.frame + 1,
+                      value_text(channel, value).view()),
             context.theme.text);
 }
 

@@ -71,14 +71,14 @@ void consider_line(Candidate& best, std::span<const double> samples, ChannelInde
 
 bool update_shown_channels(CurvesState& state, const Session& session) {
   const Skeleton& skeleton = session.document.skeleton();
-  std::vector<ChannelIndex> shown = session.selection.shown_channels(skeleton);
+  session.selection.find_shown_channels(skeleton, state.shown_next);
   state.shows_angles = false;
   state.shows_lengths = false;
-  for (const ChannelIndex channel : shown) {
+  for (const ChannelIndex channel : state.shown_next) {
     (is_rotation(skeleton.channel(channel).kind) ? state.shows_angles : state.shows_lengths) = true;
   }
-  if (shown == state.shown) return false;
-  state.shown = std::move(shown);
+  if (state.shown_next == state.shown) return false;
+  std::swap(state.shown, state.shown_next);
   return true;
 }
 

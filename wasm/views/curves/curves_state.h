@@ -38,6 +38,7 @@ struct CurvesState {
   ValueAxis lengths;
   GraphArea area;
   std::vector<ChannelIndex> shown;
+  std::vector<ChannelIndex> shown_next;  ///< what update_shown_channels() compares with
   bool shows_angles = false;
   bool shows_lengths = false;
   CurveHit hit;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "wasm/app/small_text.h"
 #include "wasm/views/graph/ticks.h"
 
 namespace marey::app {
@@ -38,7 +39,7 @@ void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis&
                        std::string_view unit, const Theme& theme, const Fonts& fonts) {
   const Ticks ticks = value_ticks(axis);
   const float size = Fonts::kSmallSize;
-  const auto place = [&](const std::string& text, float y) {
+  const auto place = [&](const SmallText& text, float y) {
     const float width = fonts.mono->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str()).x;
     const float x = side == AxisSide::Left ? area.min.x - kLabelGap - width : area.max.x + kLabelGap;
     list.AddText(fonts.mono, size, {std::round(x), std::round(y)}, theme.dim_text, text.c_str());
@@ -46,11 +47,11 @@ void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis&
   // A degree sign fits behind each number; a word stands once, at the top.
   const bool short_unit = unit == "°";
   const float first_free_y = area.min.y + (short_unit ? 0.0f : 1.5f * size);
-  if (!short_unit) place(std::string(unit), area.min.y + 1.0f);
+  if (!short_unit) place(SmallText("{}", unit), area.min.y + 1.0f);
   for (int i = 0; i < ticks.count; ++i) {
     const float y = axis.y_of(ticks.at(i)) - 0.5f * size - 1.0f;
     if (y < first_free_y || y > area.max.y - size) continue;
-    place(tick_label(ticks.at(i), ticks.decimals) + (short_unit ? "°" : ""), y);
+    place(SmallText("{}{}", tick_label(ticks.at(i), ticks.decimals), short_unit ? "°" : ""), y);
   }
 }
 

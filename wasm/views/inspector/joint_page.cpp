@@ -1,7 +1,5 @@
 #include "wasm/views/inspector/joint_page.h"
 
-#include <fmt/format.h>
-
 #include <string>
 
 #include "core/editing/clip_operations.h"
@@ -15,9 +13,9 @@ namespace {
 
 constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
 
-std::string parent_name(const Skeleton& skeleton, JointIndex joint) {
+std::string_view parent_name(const Skeleton& skeleton, JointIndex joint) {
   const JointIndex parent = skeleton.parent(joint);
-  return parent == kNoParent ? "none, this is a root" : skeleton.name(parent);
+  return parent == kNoParent ? std::string_view("none, this is a root") : skeleton.name(parent);
 }
 
 }  // namespace
@@ -27,7 +25,7 @@ void JointPage::draw_offset(ViewContext& context, NodeIndex node) {
   const glm::dvec3 offset = session.document.skeleton().node(node).offset;
   for (int axis = 0; axis < 3; ++axis) {
     const float width = inspector::begin_row(context, kAxisNames[axis]);
-    const auto result = ui::number_field(context, fmt::format("inspector.offset.{}.{}", node, axis), "Offset",
+    const auto result = ui::number_field(context, SmallText("inspector.offset.{}.{}", node, axis).c_str(), "Offset",
                                          offset[axis], {.unit = "units", .decimals = 4, .step = 0.05, .width = width});
     apply_number(context, result, [&](const Clip& clip) {
       glm::dvec3 moved = clip.skeleton.node(node).offset;
@@ -42,15 +40,15 @@ void JointPage::draw_channels(ViewContext& context, JointIndex joint) {
   Session& session = context.session;
   const Skeleton& skeleton = session.document.skeleton();
   const FrameIndex frame = session.playback.frame();
-  inspector::heading(context, fmt::format("Channels at frame {}", frame + 1));
+  inspector::heading(context, SmallText("Channels at frame {}", frame + 1));
   const ChannelIndex first = skeleton.first_channel(joint);
   for (ChannelIndex channel = first; channel < first + skeleton.channel_count(joint); ++channel) {
     const Channel& described = skeleton.channel(channel);
-    const std::string_view keyword = channel_keyword(described.kind);
-    const float width = inspector::begin_row(context, keyword.empty() ? described.other_name : keyword);
+    const std::string_view name = channel_name(described);
+    const float width = inspector::begin_row(context, name);
     const bool angle = is_rotation(described.kind);
     const auto result = ui::number_field(
-        context, fmt::format("inspector.channel.{}", channel), keyword, session.document.motion().sample(channel, frame),
+        context, SmallText("inspector.channel.{}", channel).c_str(), name, session.document.motion().sample(channel, frame),
         {.unit = angle ? "°" : "units", .decimals = 4, .step = angle ? 0.2 : 0.05, .width = width});
     apply_number(context, result,
                  [&](const Clip& clip) { return make_sample_edit(clip, channel, frame, result.value); });
@@ -71,7 +69,7 @@ void JointPage::draw_world_position(ViewContext& context, JointIndex joint) {
   inspector::heading(context, "World position");
   for (int axis = 0; axis < 3; ++axis) {
     const double metres = place[axis] * document.settings().metres_per_unit;
-    inspector::text_row(context, kAxisNames[axis], fmt::format("{:.2f} units {:8.3f} m", place[axis], metres), true);
+    inspector::text_row(context, kAxisNames[axis], SmallText("{:.2f} units {:8.3f} m", place[axis], metres), true);
   }
 }
 
@@ -95,7 +93,7 @@ void JointPage::draw(ViewContext& context) {
   inspector::heading(context, skeleton.name(joint));
   inspector::text_row(context, "Parent", parent_name(skeleton, joint));
   const std::string order = euler_order_label(skeleton, joint);
-  inspector::text_row(context, "Rotation order", order.empty() ? "none" : order);
+  inspector::text_row(context, "Rotation order", order.empty() ? std::string_view("none") : order);
   if (context.session.document.motion().frame_count() > 0) {
     draw_channels(context, joint);
     draw_world_position(context, joint);

@@ -38,7 +38,7 @@ float begin_row(ViewContext& context, std::string_view label) {
 
 void end_row() { ImGui::Dummy({0.0f, kRowGap}); }
 
-void text_row(ViewContext& context, std::string_view label, const std::string& value, bool number) {
+void text_row(ViewContext& context, std::string_view label, std::string_view value, bool number) {
   float width = begin_row(context, label, kRowHeight);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + 0.5f * (kRowHeight - ImGui::GetTextLineHeight()));
@@ -46,7 +46,7 @@ void text_row(ViewContext& context, std::string_view label, const std::string& v
   if (number) {
     // Under the numbers of the fields, which stand at the right edge; a long one takes the room of its label.
     const float label_end = ImGui::CalcTextSize(label.data(), label.data() + label.size()).x - kLabelWidth + 8.0f;
-    const float shift = width - kNumberInset - ImGui::CalcTextSize(value.c_str()).x;
+    const float shift = width - kNumberInset - ImGui::CalcTextSize(value.data(), value.data() + value.size()).x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(label_end, shift));
     width -= std::max(label_end, shift);
   }

@@ -20,6 +20,6 @@ float begin_row(ViewContext& context, std::string_view label);
 void end_row();
 
 /// A row whose value is text that cannot be edited; `number` sets it in the monospaced face.
-void text_row(ViewContext& context, std::string_view label, const std::string& value, bool number = false);
+void text_row(ViewContext& context, std::string_view label, std::string_view value, bool number = false);
 
 }  // namespace marey::app::inspector

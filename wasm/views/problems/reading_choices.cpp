@@ -23,10 +23,10 @@ ChoiceCard card_for(const ViewContext& context, const char* command_id) {
   const Command& command = *context.commands.find(command_id);
   ChoiceCard card;
   card.id = command.id + std::string(kSuffix);
-  card.label = CommandRegistry::label_of(command);
+  card.label = CommandRegistry::label_of(command).view();
   card.help = command.help;
   card.chosen = command.checked && command.checked();
-  card.blocked = card.chosen ? std::string() : CommandRegistry::blocked_reason(command);
+  card.blocked = card.chosen ? std::string() : std::string(CommandRegistry::blocked_reason(command));
   return card;
 }
 

@@ -159,12 +159,8 @@ glm::dvec3 followed_point(const Session& session, const Stage& stage) {
   const int latest = static_cast<int>(std::ceil(position)) + reach;
   const int first = std::max(earliest, 0);
   const int last = std::min(latest, clip.motion.frame_count() - 1);
-  std::array<float, 3 * (2 * kMostFollowFrames + 2)> path;
-  const std::span<float> used = std::span(path).first(3 * idx(last - first + 1));
-  compute_node_path(clip.skeleton, clip.motion, {first, last - first + 1}, clip.settings.position_rule, 0, used);
   const auto root_at = [&](int frame) {
-    const float* at = used.data() + 3 * idx(std::clamp(frame, first, last) - first);
-    return glm::dvec3(at[0], at[1], at[2]);
+    return joint_translation(clip.skeleton, clip.motion, 0, std::clamp(frame, first, last), clip.settings.position_rule);
   };
   glm::dvec3 sum(0.0);
   double weights = 0.0;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <string>
 
+#include "wasm/app/small_text.h"
 #include "wasm/app/widgets.h"
 
 namespace marey::app {
@@ -112,8 +112,7 @@ void draw_gizmo(ViewContext& context, ViewportState& state, ImVec2 top_right) {
   const Axis up = state.camera.up();
   for (const AxisEnd& end : place_ends(state, center, 0.5f * size - radius - 2.0f)) {
     const AxisView& view = axis_view_from(end.axis, end.negative, up);
-    const std::string id = std::string("viewport.gizmo.") + (end.negative ? "-" : "") +
-                           static_cast<char>('x' + static_cast<int>(end.axis));
+    const SmallText id("viewport.gizmo.{}{}", end.negative ? "-" : "", static_cast<char>('x' + static_cast<int>(end.axis)));
     const float target = std::max(radius, context.options.touch ? 16.0f : 10.0f);
     ImGui::SetCursorScreenPos({end.center.x - target, end.center.y - target});
     ImGui::SetNextItemAllowOverlap();

@@ -1,7 +1,5 @@
 #include "wasm/views/viewport/overlay.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,10 +17,10 @@ constexpr std::string_view kButtons[] = {"view.frame_all", "view.follow_root", "
                                          "view.strobe",    "view.trails",      "view.names"};
 
 // In metres as far down as a decimetre, else in centimetres or millimetres.
-std::string metric(double metres) {
-  if (metres >= 0.1) return fmt::format("{:.3g} m", metres);
-  if (metres >= 0.001) return fmt::format("{:.3g} cm", metres * 100.0);
-  return fmt::format("{:.3g} mm", metres * 1000.0);
+SmallText metric(double metres) {
+  if (metres >= 0.1) return SmallText("{:.3g} m", metres);
+  if (metres >= 0.001) return SmallText("{:.3g} cm", metres * 100.0);
+  return SmallText("{:.3g} mm", metres * 1000.0);
 }
 
 ImVec2 bottom_right(const ViewportState& state) {
@@ -105,15 +103,15 @@ ScaleBar make_scale_bar(double units_per_pixel, float widest, double metres_per_
   bar.length = rounded_down_125(units_per_pixel * static_cast<double>(widest));
   bar.width = static_cast<float>(bar.length / units_per_pixel);
   const char* noun = bar.length == 1.0 ? "unit" : "units";
-  bar.label = fmt::format("{:.10g} {} = {}", bar.length, noun, metric(bar.length * metres_per_unit));
+  bar.label = SmallText("{:.10g} {} = {}", bar.length, noun, metric(bar.length * metres_per_unit).view());
   return bar;
 }
 
-std::string view_name(const CameraPose& pose) {
-  const std::string kind = pose.perspective > 0.0 ? "perspective" : "orthographic";
+SmallText view_name(const CameraPose& pose) {
+  const bool perspective = pose.perspective > 0.0;
   const AxisView* view = find_axis_view(pose);
-  if (view != nullptr) return std::string(view->name) + ", " + kind;
-  return pose.perspective > 0.0 ? "Perspective" : "Orthographic";
+  if (view == nullptr) return SmallText("{}", perspective ? "Perspective" : "Orthographic");
+  return SmallText("{}, {}", view->name, perspective ? "perspective" : "orthographic");
 }
 
 void draw_overlay(ViewContext& context, ViewportState& state) {

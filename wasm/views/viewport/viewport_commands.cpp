@@ -18,7 +18,7 @@ constexpr double kZoomStep = 0.8;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 
-std::string without_figure(const Session& session) {
+Reason without_figure(const Session& session) {
   return session.document.skeleton().joint_count() == 0 ? "Open a file first." : "";
 }
 
