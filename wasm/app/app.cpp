@@ -29,6 +29,7 @@ void configure_imgui() {
 void add_all_commands(AppParts& parts) {
   add_file_commands(parts.commands, parts.workspace);
   add_edit_commands(parts.commands, parts.workspace);
+  add_operation_commands(parts.commands, parts.workspace);
   add_play_commands(parts.commands, parts.workspace);
   add_view_commands(parts.commands, parts.workspace);
   add_clip_commands(parts.commands, parts.workspace);

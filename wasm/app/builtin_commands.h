@@ -13,6 +13,7 @@ namespace marey::app {
 void add_file_commands(CommandRegistry& registry, Workspace& workspace);
 void add_save_commands(CommandRegistry& registry, Workspace& workspace);
 void add_edit_commands(CommandRegistry& registry, Workspace& workspace);
+void add_operation_commands(CommandRegistry& registry, Workspace& workspace);
 void add_play_commands(CommandRegistry& registry, Workspace& workspace);
 void add_view_commands(CommandRegistry& registry, Workspace& workspace);
 void add_clip_commands(CommandRegistry& registry, Workspace& workspace);
