@@ -12,6 +12,17 @@ Selection::Selection(const Skeleton& skeleton)
   for (const Channel& channel : skeleton.channels()) channel_joints_.push_back(channel.joint);
 }
 
+void Selection::follow(const Skeleton& skeleton) {
+  const auto channels = skeleton.channels();
+  const bool same = skeleton.joint_count() == joint_count_ &&
+                    std::equal(channels.begin(), channels.end(), channel_joints_.begin(), channel_joints_.end(),
+                               [](const Channel& channel, JointIndex owner) { return channel.joint == owner; });
+  if (same) return;
+  const std::uint64_t serial = sample_serial_;
+  *this = Selection(skeleton);
+  sample_serial_ = serial + 1;
+}
+
 bool Selection::contains(JointIndex joint) const { return std::binary_search(joints_.begin(), joints_.end(), joint); }
 
 void Selection::select_only(JointIndex joint) {

@@ -18,6 +18,9 @@ class Selection {
   /// Nothing selected, every channel visible.
   explicit Selection(const Skeleton& skeleton);
 
+  /// After an edit: starts anew if the figure has other joints or channels, else nothing changes.
+  void follow(const Skeleton& skeleton);
+
   /// Selected joints, ascending.
   [[nodiscard]] const std::vector<JointIndex>& joints() const { return joints_; }
   [[nodiscard]] bool contains(JointIndex joint) const;

@@ -11,6 +11,7 @@ Error refusal_of_partial() {
 
 void follow_clip(Session& session) {
   const Motion& motion = session.document.motion();
+  session.selection.follow(session.document.skeleton());
   if (motion.frame_count() != session.playback.frame_count()) session.selection.change_samples().clear();
   session.playback.set_clip(motion.frame_count(), motion.frame_time_s());
 }

@@ -4,6 +4,7 @@
 
 #include "core/editing/clip_operations.h"
 #include "core/editing/curve_operations.h"
+#include "core/editing/figure_draft.h"
 #include "tests/core/editing/generated_clips.h"
 
 namespace marey::test {
@@ -26,6 +27,30 @@ TEST(Session, OpensPausedOnTheFirstFrameWithNothingSelected) {
     EXPECT_TRUE(session.selection.joints().empty());
     EXPECT_EQ(session.document.file_name(), "walk.bvh");
   }
+}
+
+TEST(Session, SelectionStartsAnewForAnotherFigure) {
+  Session session = open_session(10);
+  session.selection.select_only(1);
+  const std::uint64_t serial = session.selection.sample_serial();
+  const auto change = [&](bool drops_joint) {
+    FigureDraft draft = take_apart(session.document.clip());
+    draft.nodes[1].name_bytes = "Leg";
+    if (drops_joint) draft.nodes.resize(1);
+    Edit edit;
+    edit.figure = put_together(session.document.clip(), std::move(draft)).value();
+    return session.apply(std::move(edit));
+  };
+  ASSERT_TRUE(change(false));
+  EXPECT_EQ(session.selection.active_joint(), 1);
+  ASSERT_TRUE(change(true));
+  EXPECT_TRUE(session.selection.joints().empty());
+  session.selection.select_only(1);
+  EXPECT_TRUE(session.selection.joints().empty());
+  EXPECT_GT(session.selection.sample_serial(), serial);
+  session.undo();
+  session.selection.select_only(1);
+  EXPECT_EQ(session.selection.active_joint(), 1);
 }
 
 TEST(Session, PlaybackAndSelectionFollowTheNumberOfFrames) {
