@@ -8,30 +8,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/json_text.h"
+
 namespace marey::cli {
 namespace {
 
 using Json = nlohmann::json;
 
-Error limits_error(std::string message, TextPlace place = {}) {
-  return {DiagnosticCode::InvalidArgument, place, std::move(message), {}, {}};
-}
-
-/// Line and column of the byte at `offset`.
-TextPlace place_of(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-          static_cast<int>(before.size() - line_start) + 1};
-}
-
-Result<Json> parse_json(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
-    return limits_error("The limits are not valid JSON.", place_of(text, offset));
-  }
+Error limits_error(std::string message) {
+  return {DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}};
 }
 
 std::optional<std::string> unknown_key(const Json& object, std::initializer_list<std::string_view> known) {
@@ -96,7 +81,7 @@ void append_violations(ChannelIndex channel, std::span<const double> samples, co
 }  // namespace
 
 Result<std::vector<ChannelLimit>> read_limits(std::string_view json_text) {
-  const Result<Json> json = parse_json(json_text);
+  const Result<Json> json = parse_json<Json>(json_text, "The limits file");
   if (!json) return json.error();
   const bool has_list = json->is_object() && json->contains("limits") && (*json)["limits"].is_array();
   if (!has_list || json->size() != 1) return limits_error("The limits are not of the form {\"limits\": [...]}.");

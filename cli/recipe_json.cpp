@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "cli/json_text.h"
 #include "core/base/number_text.h"
 
 namespace marey::cli {
@@ -13,23 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Error recipe_error(std::string message, TextPlace place = {}) {
-  return {DiagnosticCode::InvalidArgument, place, std::move(message), {}, {}};
-}
-
-TextPlace place_of(std::string_view text, std::size_t offset) {
-  const std::string_view before = text.substr(0, std::min(offset, text.size()));
-  const std::size_t line_start = before.rfind('\n') + 1;  // npos + 1 is 0
-  return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1,
-          static_cast<int>(before.size() - line_start) + 1};
-}
-
-Result<Json> parse_json(std::string_view text) {
-  try {
-    return Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    return recipe_error("The recipe is not valid JSON.", place_of(text, error.byte > 0 ? error.byte - 1 : 0));
-  }
+Error recipe_error(std::string message) {
+  return {DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}};
 }
 
 std::optional<std::string> scalar_text(const Json& value) {
@@ -116,7 +102,7 @@ std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::er
 }  // namespace
 
 Result<std::vector<RecipeStep>> read_recipe(std::string_view json_text) {
-  const Result<Json> json = parse_json(json_text);
+  const Result<Json> json = parse_json<Json>(json_text, "The recipe");
   if (!json) return json.error();
   if (!json->is_array()) return recipe_error("The recipe is not a list of steps, such as [{\"do\": \"smooth\", \"sigma\": 2}].");
   std::vector<RecipeStep> steps;
