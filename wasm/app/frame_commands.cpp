@@ -40,7 +40,9 @@ FrameIndex first_undeclared(const Document& document) {
   const std::vector<FrameIndex>& frames = document.clip().file_frames;
   const int frame_count = document.motion().frame_count();
   if (frames.empty()) return std::min(document.declared_frames(), frame_count);
-  return static_cast<FrameIndex>(std::lower_bound(frames.begin(), frames.end(), document.declared_frames()) - frames.begin());
+  // Not sorted where frames were put in.
+  const auto beyond = [&](FrameIndex frame) { return frame >= document.declared_frames(); };
+  return static_cast<FrameIndex>(std::find_if(frames.begin(), frames.end(), beyond) - frames.begin());
 }
 
 bool keeps_declared_only(const Document& document) {
