@@ -1,11 +1,9 @@
 #include "wasm/views/curves/curves_overlay.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
-#include <vector>
+#include <span>
 
 #include "wasm/app/widgets.h"
 #include "wasm/views/curves/curves_drawing.h"
