@@ -119,6 +119,39 @@ Status check_scalars(const Edit& edit) {
   return {};
 }
 
+Status check_keys(const std::map<ChannelIndex, SharedKeys>& curves, int channel_count) {
+  for (const auto& [channel, keys] : curves) {
+    if (channel < 0 || channel >= channel_count || !keys) {
+      return refusal(DiagnosticCode::InvalidArgument, fmt::format("There are keys for channel {}, which the clip does not have.",
+                                                                  std::int64_t{channel} + 1));
+    }
+    if (Status status = check_key_curve(*keys); !status) return status;
+  }
+  return {};
+}
+
+Status check_stack(const Clip& clip, const Edit& edit) {
+  const LayerStack& stack = *edit.stack;
+  const Skeleton& skeleton = edit.figure ? edit.figure->skeleton : clip.skeleton;
+  const int channel_count = skeleton.channel_count();
+  if (Status status = check_keys(stack.keyed, channel_count); !status) return status;
+  for (const Layer& layer : stack.layers) {
+    if (Status status = check_keys(layer.curves, channel_count); !status) return status;
+    if (!layer.weight) continue;
+    if (Status status = check_key_curve(*layer.weight); !status) return status;
+  }
+  const std::size_t frame_count = idx(clip.motion.frame_count());
+  const bool replaces_frames = edit.frames || edit.figure;
+  for (const ChannelIndex channel : layered_channels(skeleton, stack)) {
+    const auto beneath = stack.beneath.find(channel);
+    const bool has_samples = beneath != stack.beneath.end() && beneath->second && beneath->second->size() == frame_count;
+    if (replaces_frames || !has_samples) {
+      return refusal(DiagnosticCode::InvalidArgument, "The layers do not fit the clip.");
+    }
+  }
+  return {};
+}
+
 bool have_overlap(const std::vector<SamplesChange>& changes) {
   std::vector<std::tuple<ChannelIndex, FrameIndex, FrameIndex>> ranges;
   ranges.reserve(changes.size());
@@ -205,6 +238,9 @@ Status check_edit(const Clip& clip, const Edit& edit) {
   if (edit.figure) {
     if (Status status = check_figure(clip, edit); !status) return status;
   }
+  if (edit.stack) {
+    if (Status status = check_stack(clip, edit); !status) return status;
+  }
   if (Status status = check_scalars(edit); !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
     return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
@@ -228,6 +264,7 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
   }
   if (edit.settings == clip.settings) edit.settings.reset();
   if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
+  if (edit.stack == clip.stack) edit.stack.reset();
   return edit;
 }
 
@@ -256,6 +293,7 @@ void swap_edit(Clip& clip, Edit& edit) {
     clip.skeleton.set_offset(change.node, change.offset);
     change.offset = present;
   }
+  if (edit.stack) std::swap(clip.stack, *edit.stack);
   if (edit.settings) std::swap(clip.settings, *edit.settings);
   if (edit.frame_time_s) {
     const double present = clip.motion.frame_time_s();
@@ -277,6 +315,7 @@ std::size_t edit_bytes(const Edit& edit) {
   if (edit.frames) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
+  if (edit.stack) bytes += unshared_bytes(*edit.stack);
   return bytes;
 }
 

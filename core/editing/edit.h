@@ -48,14 +48,16 @@ struct Edit {
   std::optional<FigureChange> figure;
   std::optional<ClipSettings> settings;
   std::optional<double> frame_time_s;
+  std::optional<LayerStack> stack{};  ///< `samples` hold what comes of it: core/editing/layer_edits.h
 
   [[nodiscard]] bool empty() const {
-    return samples.empty() && offsets.empty() && !frames && !figure && !settings && !frame_time_s;
+    return samples.empty() && offsets.empty() && !frames && !figure && !settings && !frame_time_s && !stack;
   }
 };
 
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
-/// overlap, a unit of length that is not positive, a figure that does not fit its samples or the clip's frames; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
+/// overlap, a unit of length that is not positive, a figure that does not fit its samples or the clip's frames, keys that are
+/// no curve or of a channel that the clip does not have; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
 /// is_frame_time(); with NotFinite: an offset that is not finite, a sample that would stop being finite (one that is not
 /// finite already may stay so), and frames to insert with more such samples in a channel than those that give way.
 [[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);
@@ -69,7 +71,7 @@ struct Edit {
 /// Takes memory for frames and for another character set only; where there is none, nothing is changed.
 void swap_edit(Clip& clip, Edit& edit);
 
-/// Bytes that an edit keeps, for the history's bound.
+/// Bytes that an edit keeps, for the history's bound. Curves and samples that something else holds too do not count.
 [[nodiscard]] std::size_t edit_bytes(const Edit& edit);
 
 /// Frames whose poses an edit changes: the hull of its samples; the whole clip, as it is now, for an offset, another

@@ -4,30 +4,41 @@
 #include <utility>
 
 #include "core/base/scope_exit.h"
+#include "core/editing/layer_edits.h"
 
 namespace marey {
+namespace {
+
+// What of an edit is to be swapped into the clip.
+Result<Edit> prepare(const Clip& clip, Edit edit) {
+  if (Status status = check_edit(clip, edit); !status) return status.error();
+  Result<Edit> fitting = fit_to_layers(clip, reduced_to_changes(clip, std::move(edit)));
+  if (!fitting) return fitting;
+  return fitting->stack ? reduced_to_changes(clip, std::move(*fitting)) : std::move(*fitting);
+}
+
+}  // namespace
 
 Status History::apply(Clip& clip, Edit edit) {
-  if (Status status = check_edit(clip, edit); !status) return status;
-  edit = reduced_to_changes(clip, std::move(edit));
-  if (!edit.empty()) push(clip, std::move(edit), 0);
+  Result<Edit> prepared = prepare(clip, std::move(edit));
+  if (!prepared) return prepared.error();
+  if (!prepared->empty()) push(clip, std::move(*prepared), 0);
   return {};
 }
 
 Status History::apply_gesture(Clip& clip, GestureId gesture, const MakeEdit& make_edit) {
   if (!is_in_gesture(gesture)) {
-    Edit edit = make_edit(clip);
-    if (Status status = check_edit(clip, edit); !status) return status;
-    edit = reduced_to_changes(clip, std::move(edit));
-    if (!edit.empty()) push(clip, std::move(edit), gesture);
+    Result<Edit> edit = prepare(clip, make_edit(clip));
+    if (!edit) return edit.error();
+    if (!edit->empty()) push(clip, std::move(*edit), gesture);
     return {};
   }
   const FrameRange former_frames = edited_frames(clip, done_.back().edit);
   swap_edit(clip, done_.back().edit);
   ScopeExit stay([&] { swap_edit(clip, done_.back().edit); });
-  Edit edit = make_edit(clip);
-  if (Status status = check_edit(clip, edit); !status) return status;
-  edit = reduced_to_changes(clip, std::move(edit));
+  Result<Edit> prepared = prepare(clip, make_edit(clip));
+  if (!prepared) return prepared.error();
+  Edit& edit = *prepared;
   if (edit.empty()) {
     stay.dismiss();
     drop_newest();

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/editing/layer_edits.h"
 #include "core/editing/operations/families.h"
 
 namespace marey {
@@ -22,7 +23,7 @@ Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}
 
 // Whether there is anything to work on.
 bool has_work(const Operation& operation, const OperationTarget& target) {
-  if (operation.reach == OperationReach::Clip) return true;
+  if (operation.reach == OperationReach::Clip || operation.reach == OperationReach::Layers) return true;
   if (operation.reach == OperationReach::Figure) return !target.joints.empty();
   if (target.weight <= 0.0) return false;
   if (operation.reach == OperationReach::Frames || operation.reach == OperationReach::Roots) return target.frames.count > 0;
@@ -108,7 +109,12 @@ Result<OperationOutcome> make_operation_edit(const Clip& clip, const Operation& 
   Result<OperationOutcome> outcome = operation.make({clip, within, operation, values});
   if (!outcome) return outcome;
   if (Status status = check_edit(clip, outcome->edit); !status) return status.error();
-  outcome->edit = reduced_to_changes(clip, std::move(outcome->edit));
+  const bool has_stack = outcome->edit.stack.has_value();
+  Result<Edit> fitting = fit_to_layers(clip, reduced_to_changes(clip, std::move(outcome->edit)));
+  if (!fitting) return fitting.error();
+  outcome->edit = reduced_to_changes(clip, std::move(*fitting));
+  const bool is_baked = !has_stack && outcome->edit.stack && outcome->edit.stack->empty();
+  if (is_baked) outcome->notes.emplace_back("Layers and keys were baked, as they do not fit the new frames or figure.");
   return outcome;
 }
 

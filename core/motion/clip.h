@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/motion/layers.h"
 #include "core/motion/motion.h"
 #include "core/skeleton/channel.h"
 #include "core/skeleton/position_rule.h"
@@ -31,6 +32,9 @@ struct Clip {
   /// By frame: which frame of the opened file it was, rising; kNewFrame for one that the file does not have. Empty as long
   /// as all of the file's are there and no other.
   std::vector<FrameIndex> file_frames{};
+  /// What the samples are made of where they are more than samples: `motion` always holds the result, and for each channel
+  /// of layered_channels() the stack holds what is beneath.
+  LayerStack stack{};
 };
 
 }  // namespace marey

@@ -20,11 +20,13 @@ namespace marey {
 [[nodiscard]] std::span<const Operation> joining_operations();
 [[nodiscard]] std::span<const Operation> figure_operations();
 [[nodiscard]] std::span<const Operation> axis_operations();
+[[nodiscard]] std::span<const Operation> key_operations();
+[[nodiscard]] std::span<const Operation> layer_operations();
 
-[[nodiscard]] inline std::array<std::span<const Operation>, 11> operation_families() {
+[[nodiscard]] inline std::array<std::span<const Operation>, 13> operation_families() {
   return {filter_operations(),  value_operations(),  blend_operations(), rotation_operations(), mirror_operations(),
           placing_operations(), timing_operations(), frame_operations(), joining_operations(), axis_operations(),
-          figure_operations()};
+          figure_operations(),  key_operations(),    layer_operations()};
 }
 
 }  // namespace marey
