@@ -6,7 +6,7 @@ namespace marey {
 
 CurveDeviation find_deviation(std::span<const double> samples, std::span<const double> others) {
   CurveDeviation deviation;
-  double scale = 0.0;   // the largest difference so far: squares of differences in its unit neither overflow nor vanish
+  double scale = 0.0;  // the largest difference so far: squares of differences in its unit neither overflow nor vanish
   double squares = 0.0;
   int count = 0;
   for (int i = 0; i < size_of(samples); ++i) {

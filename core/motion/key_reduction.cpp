@@ -12,6 +12,9 @@
 namespace marey {
 namespace {
 
+// Longer spans that come within rounding of the tolerance are not looked at any closer, which would take long where many
+// do: straight lines without tolerance.
+constexpr int kClosestFrames = 128;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Each reach tells which samples a span from one sample may end at: start() at that sample, then for each later one
@@ -46,25 +49,23 @@ class LinearReach {
   }
 
   [[nodiscard]] bool can_end_at(int to) {
-    const Answer answer = ask(to);
-    if (answer != Answer::Close) return answer == Answer::Yes;
+    const Verdict verdict = judge(to);
+    if (verdict != Verdict::Close || to - from_ > kClosestFrames) return verdict == Verdict::Yes;
     const KeySpan line{static_cast<double>(from_), static_cast<double>(to - from_), curve_[from_], curve_[to], {}, {},
                        Interpolation::Linear};
     return curve_.holds(line, from_, to, suspect_);
   }
 
-  // Close: rounding in the evaluation decides.
-  enum class Answer { No, Close, Yes };
-  [[nodiscard]] Answer ask(int to) const {
-    if (!has_passed_) return Answer::Yes;
+  [[nodiscard]] Verdict judge(int to) const {
+    if (!has_passed_) return Verdict::Yes;
     const double value = curve_[to];
     if (value == curve_[from_]) {
       const double tolerance = curve_.tolerance();
-      return most_ - value <= tolerance && value - least_ <= tolerance ? Answer::Yes : Answer::No;
+      return most_ - value <= tolerance && value - least_ <= tolerance ? Verdict::Yes : Verdict::No;
     }
     const double slope = (value - curve_[from_]) / (to - from_);
-    if (slope < low_ - rounding_ || slope > high_ + rounding_) return Answer::No;
-    return slope >= low_ + rounding_ && slope <= high_ - rounding_ ? Answer::Yes : Answer::Close;
+    if (slope < low_ - rounding_ || slope > high_ + rounding_) return Verdict::No;
+    return slope >= low_ + rounding_ && slope <= high_ - rounding_ ? Verdict::Yes : Verdict::Close;
   }
 
   // Whether some slope passes all samples so far.
@@ -109,9 +110,9 @@ class BezierReach {
   }
 
   [[nodiscard]] bool can_end_at(int to) {
-    const LinearReach::Answer straight = line_is_open_ ? line_.ask(to) : LinearReach::Answer::No;
-    if (straight == LinearReach::Answer::Yes || (failures_ < 2 && fit_holds(to))) return true;
-    return straight == LinearReach::Answer::Close &&
+    const Verdict straight = line_is_open_ ? line_.judge(to) : Verdict::No;
+    if (straight == Verdict::Yes || (failures_ < 2 && fit_holds(to))) return true;
+    return straight == Verdict::Close && to - from_ <= kClosestFrames &&
            cubic_holds(curve_, from_, to, straight_slopes(curve_, from_, to), suspect_);
   }
 
@@ -143,7 +144,9 @@ class BezierReach {
 
   [[nodiscard]] bool fit_holds(int to) {
     fit_.close(curve_[to]);
-    return cubic_holds(curve_, from_, to, fit_.slopes(), suspect_);
+    const SpanSlopes slopes = fit_.slopes();
+    if (to - from_ <= kClosestFrames) return cubic_holds(curve_, from_, to, slopes, suspect_);
+    return judge_cubic(curve_, from_, to, slopes, suspect_) == Verdict::Yes;
   }
 
   const CapturedCurve& curve_;

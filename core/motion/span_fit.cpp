@@ -58,16 +58,18 @@ double CapturedCurve::rounding(double also) const {
 }
 
 bool CapturedCurve::holds(const KeySpan& span, int from, int to, int& suspect) const {
-  const auto is_near = [&](int at) {
-    return is_missing(at) || std::abs(span.value_at(at) - values_[idx(at)]) <= tolerance_;
+  const auto find_far = [&](int first, int end) {
+    while (first < end && (is_missing(first) || std::abs(span.value_at(first) - values_[idx(first)]) <= tolerance_)) ++first;
+    return first;
   };
-  if (suspect > from && suspect < to && !is_near(suspect)) return false;
-  for (int at = from + 1; at < to; ++at) {
-    if (is_near(at)) continue;
-    suspect = at;
-    return false;
+  const int middle = suspect > from && suspect < to ? suspect : from + 1;
+  int far = find_far(middle, to);
+  if (far == to) {
+    far = find_far(from + 1, middle);
+    if (far == middle) return true;
   }
-  return true;
+  suspect = far;
+  return false;
 }
 
 Handle third_handle(double slope, double length, double side) {
@@ -86,8 +88,7 @@ KeySpan make_cubic(const CapturedCurve& curve, int from, int to, const SpanSlope
           effective(slopes.end, -1.0), Interpolation::Bezier};
 }
 
-// Powers of the frame are faster than the evaluator and decide all but what rounding could change.
-bool cubic_holds(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes, int& suspect) {
+Verdict judge_cubic(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes, int& suspect) {
   const double length = to - from;
   const double inverse = 1.0 / length;
   const double start = curve[from];
@@ -97,21 +98,29 @@ bool cubic_holds(const CapturedCurve& curve, int from, int to, const SpanSlopes&
   const double rounding = curve.rounding(4.0 * length * (std::abs(slopes.start) + std::abs(slopes.end) + std::abs(line)));
   const double near = curve.tolerance() - rounding;
   const double far = curve.tolerance() + rounding;
-  const auto error_at = [&](int at) {
-    const double k = at - from;
-    return std::abs(k * (slopes.start + k * (c2 + k * c3)) - (curve[at] - start));
+  Verdict verdict = Verdict::Yes;
+  const auto judge = [&](int first, int end) {
+    for (int at = first; at < end; ++at) {
+      const double k = at - from;
+      const double error = std::abs(k * (slopes.start + k * (c2 + k * c3)) - (curve[at] - start));
+      if (error <= near || curve.is_missing(at)) continue;
+      verdict = Verdict::Close;
+      if (!(error > far)) continue;
+      suspect = at;
+      verdict = Verdict::No;
+      return;
+    }
   };
-  if (suspect > from && suspect < to && error_at(suspect) > far && !curve.is_missing(suspect)) return false;
-  bool is_sure = true;
-  for (int at = from + 1; at < to; ++at) {
-    const double error = error_at(at);
-    if (error <= near || curve.is_missing(at)) continue;
-    is_sure = false;
-    if (!(error > far)) continue;
-    suspect = at;
-    return false;
-  }
-  return is_sure || curve.holds(make_cubic(curve, from, to, slopes), from, to, suspect);
+  const int middle = suspect > from && suspect < to ? suspect : from + 1;
+  judge(middle, to);
+  if (verdict != Verdict::No) judge(from + 1, middle);
+  return verdict;
+}
+
+bool cubic_holds(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes, int& suspect) {
+  const Verdict verdict = judge_cubic(curve, from, to, slopes, suspect);
+  if (verdict != Verdict::Close) return verdict == Verdict::Yes;
+  return curve.holds(make_cubic(curve, from, to, slopes), from, to, suspect);
 }
 
 SpanSlopes straight_slopes(const CapturedCurve& curve, int from, int to) {

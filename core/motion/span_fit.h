@@ -7,6 +7,9 @@
 
 namespace marey {
 
+/// Whether a span stays within the tolerance. Close: rounding in the evaluation decides.
+enum class Verdict { No, Close, Yes };
+
 /// What reduce_to_keys() looks at: samples from the first to the last finite one, at least one, and how near to stay.
 class CapturedCurve {
  public:
@@ -21,8 +24,8 @@ class CapturedCurve {
   /// More than rounding takes from a span whose terms are as large as the samples and `also`; infinite where those may
   /// overflow.
   [[nodiscard]] double rounding(double also = 0.0) const;
-  /// Whether the evaluated span stays within the tolerance of all samples between `from` and `to`. `suspect`, between
-  /// both, is looked at first and becomes the sample that is too far away.
+  /// Whether the evaluated span stays within the tolerance of all samples between `from` and `to`. Those from `suspect`
+  /// on are looked at first; it becomes the one that is too far away, where the next span is likely to fail as well.
   [[nodiscard]] bool holds(const KeySpan& span, int from, int to, int& suspect) const;
 
  private:
@@ -42,6 +45,8 @@ struct SpanSlopes {
 [[nodiscard]] Handle third_handle(double slope, double length, double side);
 /// The span between two samples as KeyEvaluator makes it of keys with such handles.
 [[nodiscard]] KeySpan make_cubic(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes);
+/// Far faster than the evaluator. For `suspect` see CapturedCurve::holds().
+[[nodiscard]] Verdict judge_cubic(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes, int& suspect);
 [[nodiscard]] bool cubic_holds(const CapturedCurve& curve, int from, int to, const SpanSlopes& slopes, int& suspect);
 [[nodiscard]] SpanSlopes straight_slopes(const CapturedCurve& curve, int from, int to);
 

@@ -314,6 +314,9 @@ TEST(KeyReduction, LongCurvesTakeFewKeysWhereFewWillDo) {
     const Samples step = make_samples(30000, [](int i) { return i < 12345 ? 0.0 : 1.0; });
     EXPECT_LE(reduce(step, 0.1, interpolation).keys.size(), 6U);
   }
+  const Samples ramp = make_samples(30000, [](int i) { return 0.1 * i; });
+  EXPECT_LE(reduce(ramp, 0.0, Interpolation::Linear).keys.size(), 400U);
+  EXPECT_EQ(evaluated(reduce(ramp, 0.0), ramp), ramp);
   const Samples wave = make_samples(30000, [](int i) { return 40.0 * std::sin(i * (std::numbers::pi / 5000.0)); });
   EXPECT_LE(reduce(wave, 2.0).keys.size(), 8U);
 }
