@@ -13,6 +13,8 @@ void follow_clip(Session& session) {
   const Motion& motion = session.document.motion();
   session.selection.follow(session.document.skeleton());
   if (motion.frame_count() != session.playback.frame_count()) session.selection.change_samples().clear();
+  const int layers = size_of(session.document.clip().stack.layers);
+  if (session.active_layer >= layers) session.active_layer = layers == 0 ? kOwnKeys : layers - 1;
   session.playback.set_clip(motion.frame_count(), motion.frame_time_s());
 }
 

@@ -7,6 +7,7 @@
 #include "core/document/document.h"
 #include "core/document/playback.h"
 #include "core/document/selection.h"
+#include "core/editing/key_edits.h"
 
 namespace marey {
 
@@ -17,6 +18,9 @@ struct Session {
   Selection selection;
   Playback playback;
   std::vector<TextExcerpt> excerpts;  ///< of each of the document's diagnostics, in the bytes of the file
+
+  /// The layer that keys are set on; kOwnKeys for the keys of the channels themselves. Always one that the clip has.
+  int active_layer = kOwnKeys;
 
   /// More of the file is still to come: every edit is refused.
   bool is_partial = false;

@@ -119,6 +119,7 @@ void draw_splitters(ViewContext& context, const Layout& layout, PanelSizes& size
 void Shell::add_commands(CommandRegistry& registry, Workspace& workspace, TimeWindow& time_window) {
   viewport_.add_commands(registry, workspace.session);
   curves_.add_commands(registry, workspace.session, workspace.preferences.options, time_window);
+  inspector_.add_commands(registry, workspace);
 }
 
 void Shell::document_opened() {

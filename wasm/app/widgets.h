@@ -53,6 +53,10 @@ NumberResult number_field(ViewContext& context, const char* id, std::string_view
 /// Search field with a clear button; returns true when the text changed.
 bool search_field(ViewContext& context, const char* id, std::string_view hint, std::string& text);
 
+/// A line of text; returns true when it changed.
+bool text_field(ViewContext& context, const char* id, std::string_view label, std::string_view tip, std::string& text,
+                float width);
+
 /// One entry of a choice; the id is that of its row in the open list.
 struct ChoiceOption {
   std::string id;

@@ -126,6 +126,20 @@ bool search_field(ViewContext& context, const char* id, std::string_view hint, s
   return changed;
 }
 
+bool text_field(ViewContext& context, const char* id, std::string_view label, std::string_view tip, std::string& text,
+                float width) {
+  const ImVec2 start = ImGui::GetCursorScreenPos();
+  ImGui::SetNextItemWidth(width);
+  const bool changed = ImGui::InputText(SmallText("##{}", id).c_str(), &text);
+  const bool focused = ImGui::IsItemActive();
+  context.items.add_last(id, label);
+  tool_tip(context, label, tip);
+  ImGui::GetWindowDrawList()->AddRect(start, ImVec2(start.x + width, start.y + ImGui::GetFrameHeight()),
+                                      focused ? context.theme.accent : context.theme.line, 4.0f, 0,
+                                      focused ? 1.5f : device_pixel());
+  return changed;
+}
+
 void panel_title(ViewContext& context, std::string_view title) {
   const ImVec2 start = ImGui::GetCursorScreenPos();
   constexpr float kRow = 32.0f;

@@ -1,7 +1,11 @@
 #include "wasm/views/inspector_view.h"
 
+#include <fmt/format.h>
+
 #include <string>
 
+#include "wasm/app/builtin_commands.h"
+#include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/clip_page.h"
 
@@ -9,7 +13,7 @@ namespace marey::app {
 namespace {
 
 constexpr float kTabHeight = 36.0f;
-constexpr float kTabPadding = 10.0f;
+constexpr float kTabPadding = 8.0f;
 
 int problem_count(const Diagnostics& diagnostics) {
   return diagnostics.count(Severity::Warning) + diagnostics.count(Severity::Error);
@@ -42,19 +46,57 @@ void InspectorView::draw_tabs(ViewContext& context) {
   ImGui::SameLine(0.0f, 0.0f);
   draw_tab(context, Page::Clip, "inspector.tab.clip", "Clip");
   ImGui::SameLine(0.0f, 0.0f);
+  draw_tab(context, Page::Edit, "inspector.tab.edit", "Edit");
+  ImGui::SameLine(0.0f, 0.0f);
+  draw_tab(context, Page::Layers, "inspector.tab.layers", "Layers");
+  ImGui::SameLine(0.0f, 0.0f);
   draw_tab(context, Page::Problems, "inspector.tab.problems",
            problems > 0 ? SmallText("Problems ({})", problems) : SmallText("Problems"));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y}, context.theme.line);
 }
 
+void InspectorView::add_commands(CommandRegistry& registry, Workspace& workspace) {
+  const auto show_page = [this, &workspace](Page page) {
+    page_ = page;
+    workspace.preferences.options.show_inspector = true;
+    workspace.preferences.sheet = Sheet::Inspector;
+  };
+  for (const Operation& operation : operations()) {
+    if (!is_for_page(operation)) continue;
+    registry.add({.id = fmt::format("operation.{}", operation.id),
+                  .label = fmt::format("{}…", operation.label),
+                  .help = std::string(operation.help),
+                  .icon = icons::kPencil,
+                  .run = [this, &workspace, &operation, show_page](const nlohmann::json&) -> nlohmann::json {
+                    show_page(Page::Edit);
+                    operations_.open(operation, workspace.session);
+                    return nullptr;
+                  },
+                  .blocked = [&workspace] { return needs_whole_clip(workspace); }});
+  }
+  registry.add({.id = "view.layers",
+                .label = "Layers",
+                .help = "Shows the layers of keys.",
+                .shortcut = "Shift+L",
+                .icon = icons::kLayers,
+                .run = [show_page](const nlohmann::json&) -> nlohmann::json {
+                  show_page(Page::Layers);
+                  return nullptr;
+                }});
+  add_layer_commands(registry, workspace.session);
+}
+
 void InspectorView::draw(ViewContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0f, 0.0f});
   draw_tabs(context);
+  if (page_ != Page::Edit) operations_.leave(context.session);
   ImGui::BeginChild("inspector.page", {0.0f, 0.0f});
   switch (page_) {
     case Page::Joint: joint_page_.draw(context); break;
     case Page::Clip: draw_clip_page(context); break;
+    case Page::Edit: operations_.draw(context); break;
+    case Page::Layers: layers_.draw(context); break;
     case Page::Problems: problems_.draw(context); break;
   }
   ImGui::EndChild();

@@ -9,6 +9,7 @@ constexpr std::string_view kFile[] = {
 
 constexpr std::string_view kEdit[] = {
     "edit.undo", "edit.redo", "", "#Samples", "curve.select_all", "curve.select_none", "curve.smooth",
+    "", "#Keys", "keys.set", "keys.delete", "operation.to-keys", "operation.to-samples", "layer.add", "layer.bake",
     "", "#Joints", "select.parent", "select.child", "select.all", "select.none"};
 
 constexpr std::string_view kClip[] = {
@@ -19,7 +20,7 @@ constexpr std::string_view kClip[] = {
     "#Frames", "clip.first_frame.leave_out", "clip.frames.declared"};
 
 constexpr std::string_view kView[] = {
-    "view.outliner", "view.inspector", "view.curves", "view.problems", "#Camera", "view.frame_all",
+    "view.outliner", "view.inspector", "view.curves", "view.problems", "view.layers", "#Camera", "view.frame_all",
     "view.frame_selection", "view.front", "view.side", "view.top", "view.orthographic", "view.follow_root", "#Figure",
     "view.grid", "view.shadow", "view.names", "view.strobe", "view.trails", "#Interface", "view.theme.system",
     "view.theme.light", "view.theme.dark", "view.scale.larger", "view.scale.smaller", "view.scale.reset",

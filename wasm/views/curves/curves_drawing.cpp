@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "wasm/views/curves/curves_overlay.h"
+#include "wasm/views/curves/key_marks.h"
 
 namespace marey::app {
 namespace {
@@ -106,6 +107,7 @@ void CurvesDrawing::draw(ViewContext& context, const CurvesState& state) {
   lines_.draw(context, state);
   for (const ChannelIndex channel : state.shown) draw_dots(context, state, channel);
   draw_selection(context, state);
+  draw_key_marks(context, state);
   draw_end_letters(context, state);
   draw_box(context, state);
   draw_cursor(context, state);

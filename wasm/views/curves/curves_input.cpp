@@ -5,6 +5,7 @@
 
 #include "core/editing/curve_operations.h"
 #include "wasm/app/faults.h"
+#include "wasm/views/curves/key_marks.h"
 
 namespace marey::app {
 namespace {
@@ -39,7 +40,10 @@ bool near_cursor(const ViewContext& context) {
 
 void begin_left_drag(ViewContext& context, CurvesState& state) {
   state.drag.grabbed = state.hit;
-  if (io().KeyAlt) {
+  state.drag.grabbed_key = state.key_hit;
+  if (state.key_hit) {
+    state.drag.kind = CurveDragKind::Key;
+  } else if (io().KeyAlt) {
     state.drag.kind = CurveDragKind::Pan;
   } else if (state.hit) {
     state.drag.kind = CurveDragKind::Move;
@@ -94,6 +98,7 @@ void continue_drag(ViewContext& context, CurvesState& state) {
     case CurveDragKind::Pan: pan(context, state); break;
     case CurveDragKind::Zoom: zoom(context, state); break;
     case CurveDragKind::Move: move_samples(context, state); break;
+    case CurveDragKind::Key: drag_key(context, state); break;
     case CurveDragKind::Cursor:
       context.session.playback.set_position(std::round(context.time_window.frame_at(mouse.x)));
       break;
@@ -151,7 +156,11 @@ void handle_wheel(ViewContext& context, CurvesState& state) {
 
 void show_pointer(ViewContext& context, const CurvesState& state) {
   const CurveDragKind kind = state.drag.kind;
-  if (kind == CurveDragKind::Move || (kind == CurveDragKind::None && state.hit)) {
+  if (kind == CurveDragKind::Key || (kind == CurveDragKind::None && state.key_hit)) {
+    ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+    context.status = state.key_hit.part == KeyPart::Key ? "Drag to move the key, by whole frames unless Alt is held."
+                                                        : "Drag to pull the handle.";
+  } else if (kind == CurveDragKind::Move || (kind == CurveDragKind::None && state.hit)) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
     context.status = "Drag to move in value. Wheel changes the falloff. Shift adds, Ctrl toggles.";
   } else if (kind == CurveDragKind::Pan) {
@@ -170,7 +179,8 @@ void handle_curves_input(ViewContext& context, CurvesState& state) {
   const bool hovered = ImGui::IsItemHovered();
   const bool dragging = state.drag.kind != CurveDragKind::None;
   if (!dragging) {
-    state.hit = hovered ? find_curve_hit(state, context.session, context.time_window, io().MousePos) : CurveHit{};
+    state.key_hit = hovered ? find_key_hit(state, context.session, context.time_window, io().MousePos) : KeyHit{};
+    state.hit = hovered && !state.key_hit ? find_curve_hit(state, context.session, context.time_window, io().MousePos) : CurveHit{};
   }
   if (ImGui::IsItemActivated()) begin_drag(context, state);
   // The last move may come in the frame of the release.

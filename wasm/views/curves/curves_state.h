@@ -20,15 +20,27 @@ struct CurveHit {
   [[nodiscard]] explicit operator bool() const { return channel >= 0; }
 };
 
-enum class CurveDragKind { None, Pan, Zoom, Box, Move, Cursor };
+enum class KeyPart { Key, LeftHandle, RightHandle };
+
+/// A key of the active layer, or a handle of it, under the pointer.
+struct KeyHit {
+  ChannelIndex channel = -1;
+  int key = -1;
+  KeyPart part = KeyPart::Key;
+
+  [[nodiscard]] explicit operator bool() const { return channel >= 0; }
+};
+
+enum class CurveDragKind { None, Pan, Zoom, Box, Move, Cursor, Key };
 
 /// A drag in the canvas from press to release.
 struct CurveDrag {
   CurveDragKind kind = CurveDragKind::None;
   ImVec2 start{0.0f, 0.0f};
   CurveHit grabbed;
+  KeyHit grabbed_key;
   bool moved = false;     ///< beyond the click threshold
-  GestureId gesture = 0;  ///< of a Move
+  GestureId gesture = 0;  ///< of a Move or a Key
 };
 
 /// What the curve editor remembers between frames. Angles and lengths have an axis each: angles on the left, lengths on
@@ -42,6 +54,7 @@ struct CurvesState {
   bool shows_angles = false;
   bool shows_lengths = false;
   CurveHit hit;
+  KeyHit key_hit;
   CurveDrag drag;
 
   /// The axis that a channel is drawn against.

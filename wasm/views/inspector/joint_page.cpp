@@ -4,6 +4,7 @@
 
 #include "core/editing/clip_operations.h"
 #include "core/editing/curve_operations.h"
+#include "core/editing/key_edits.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/number_edit.h"
 #include "wasm/views/inspector/property_row.h"
@@ -16,6 +17,18 @@ constexpr const char* kAxisNames[] = {"X", "Y", "Z"};
 std::string_view parent_name(const Skeleton& skeleton, JointIndex joint) {
   const JointIndex parent = skeleton.parent(joint);
   return parent == kNoParent ? std::string_view("none, this is a root") : skeleton.name(parent);
+}
+
+// With a layer, or on a channel of keys, a number is a key at the frame; else it is the sample.
+Edit make_value_edit(ViewContext& context, const Clip& clip, ChannelIndex channel, double value) {
+  const Session& session = context.session;
+  const FrameIndex frame = session.playback.frame();
+  const bool sets_key = session.active_layer != kOwnKeys || clip.stack.keyed.contains(channel);
+  if (!sets_key) return make_sample_edit(clip, channel, frame, value);
+  Result<Edit> edit = make_pose_key_edit(clip, "Set key", session.active_layer, frame, {{channel, value}});
+  if (edit) return std::move(*edit);
+  context.status = edit.error().message;
+  return {};
 }
 
 }  // namespace
@@ -50,8 +63,7 @@ void JointPage::draw_channels(ViewContext& context, JointIndex joint) {
     const auto result = ui::number_field(
         context, SmallText("inspector.channel.{}", channel).c_str(), name, session.document.motion().sample(channel, frame),
         {.unit = angle ? "°" : "units", .decimals = 4, .step = angle ? 0.2 : 0.05, .width = width});
-    apply_number(context, result,
-                 [&](const Clip& clip) { return make_sample_edit(clip, channel, frame, result.value); });
+    apply_number(context, result, [&](const Clip& clip) { return make_value_edit(context, clip, channel, result.value); });
     inspector::end_row();
   }
   if (skeleton.channel_count(joint) == 0) inspector::text_row(context, "Channels", "none");
