@@ -35,7 +35,9 @@ std::string_view target_text(OperationReach reach) {
     case OperationReach::Roots: return "frames, blend-in, blend-out, weight";
     case OperationReach::Frames: return "frames";
     case OperationReach::Figure: return "joints";
-    case OperationReach::Clip: break;
+    case OperationReach::Keys: return "joints, channels, frames";
+    case OperationReach::Clip:
+    case OperationReach::Layers: break;
   }
   return "";
 }

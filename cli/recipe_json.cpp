@@ -82,6 +82,8 @@ std::string_view reach_id(OperationReach reach) {
     case OperationReach::Frames: return "frames";
     case OperationReach::Clip: return "clip";
     case OperationReach::Figure: return "figure";
+    case OperationReach::Keys: return "keys";
+    case OperationReach::Layers: return "layers";
   }
   return "";
 }

@@ -24,6 +24,7 @@ Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}
 // Whether there is anything to work on.
 bool has_work(const Operation& operation, const OperationTarget& target) {
   if (operation.reach == OperationReach::Clip || operation.reach == OperationReach::Layers) return true;
+  if (operation.reach == OperationReach::Keys) return !target.channels.empty();
   if (operation.reach == OperationReach::Figure) return !target.joints.empty();
   if (target.weight <= 0.0) return false;
   if (operation.reach == OperationReach::Frames || operation.reach == OperationReach::Roots) return target.frames.count > 0;

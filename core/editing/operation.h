@@ -56,7 +56,8 @@ enum class OperationReach : std::uint8_t {
   Frames,    ///< the frames of the target are added to, taken away or exchanged, with all channels
   Clip,      ///< the whole clip, whatever the target
   Figure,    ///< the joints of the target themselves, in all frames: channels, names, offsets
-  Layers,    ///< keys of the target's channels, and layers: whole curves, whatever the weight of the target
+  Keys,      ///< keys of the target's channels, whatever its weight; samples follow in all frames
+  Layers,    ///< the layers of the clip, whatever the target
 };
 
 struct OperationCall;

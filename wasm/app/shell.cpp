@@ -159,7 +159,7 @@ void Shell::draw_time_panels(ViewContext& context, const Layout& layout) {
   const ImU32 panel = context.theme.panel;
   draw_panel(context, guards_, {"transport", layout.transport, panel, kTop}, "transport", [&] { transport_.draw(context); });
   draw_panel(context, guards_, {"ruler", layout.ruler, panel, kTop}, "ruler", [&] { timeline_.draw(context); });
-  draw_panel(context, guards_, {"curves", layout.curves, panel}, "curve editor", [&] { curves_.draw(context); });
+  draw_panel(context, guards_, {"curves", layout.curves, panel}, "curve editor", [&] { curves_.draw(context, inspector_.operation_form()); });
 }
 
 Layout Shell::lay_out(ViewContext& context, Workspace& workspace) {

@@ -7,6 +7,9 @@ namespace marey::app {
 
 enum class ViewPreset { Free, Front, Side, Top };
 
+/// What stands in the room below the timeline.
+enum class CurvesPage { Curves, Filter, Orders };
+
 /// What the views show and how; kept between visits, not part of a file.
 struct ViewOptions {
   bool show_outliner = true;
@@ -21,6 +24,7 @@ struct ViewOptions {
   bool follow_root = false;
   bool show_performance = false;  ///< the card of what drawing takes
   bool orthographic = false;
+  CurvesPage curves_page = CurvesPage::Curves;  ///< not kept between visits
   float falloff_radius_frames = 8.0f;  ///< of a drag in the curve editor
   float smooth_sigma_frames = 2.0f;
   float interface_scale = 1.0f;  ///< 1 to 2.5

@@ -1,5 +1,6 @@
 #include "wasm/views/curves_view.h"
 
+#include <array>
 #include <string>
 
 #include "wasm/app/widgets.h"
@@ -12,6 +13,7 @@ namespace marey::app {
 namespace {
 
 constexpr float kBottomMargin = 8.0f;
+constexpr float kPagesWidth = 108.0f;
 
 void draw_joint_choice(ViewContext& context) {
   Selection& selection = context.session.selection;
@@ -72,12 +74,35 @@ void CurvesView::draw_empty(ViewContext& context) const {
   draw_joint_choice(context);
 }
 
-void CurvesView::draw(ViewContext& context) {
+// At the right end of the row above the curves, on each page at the same place.
+void CurvesView::draw_pages(ViewContext& context, ImVec2 corner, ImVec2 room) const {
+  constexpr std::array kPages = {"view.curve_editor", "view.filter_explorer", "view.rotation_orders"};
+  const float button = ImGui::GetFrameHeight();
+  ImGui::SetCursorScreenPos({corner.x + room.x - (button + 2.0f) * static_cast<float>(kPages.size()) - 8.0f, corner.y + 4.0f});
+  for (const char* id : kPages) {
+    ui::command_button(context, id);
+    ImGui::SameLine(0.0f, 2.0f);
+  }
+  ImGui::NewLine();
+}
+
+void CurvesView::draw(ViewContext& context, const OperationForm& form) {
   if (update_shown_channels(state_, context.session)) fit_values(state_, context.session, context.time_window);
   if (context.session.selection.joints().empty() || context.session.document.motion().frame_count() == 0) {
     draw_empty(context);
     return;
   }
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  const ImVec2 end{corner.x + room.x, corner.y + room.y};
+  const CurvesPage page = context.options.curves_page;
+  if (page == CurvesPage::Orders) orders_.draw(context, corner, end);
+  if (page == CurvesPage::Filter && !state_.shown.empty()) explorer_.draw(context, form, state_.shown, corner, end);
+  if (page == CurvesPage::Curves) draw_curves(context);
+  draw_pages(context, corner, room);
+}
+
+void CurvesView::draw_curves(ViewContext& context) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float list_width = context.options.compact ? 0.0f : kChannelListWidth;
@@ -87,7 +112,7 @@ void CurvesView::draw(ViewContext& context) {
     ImGui::EndChild();
   }
   ImGui::SetCursorScreenPos({corner.x + list_width + 8.0f, corner.y + 4.0f});
-  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f, CurvesToolbar::height()}, ImGuiChildFlags_None,
+  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f - kPagesWidth, CurvesToolbar::height()}, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoScrollbar);
   toolbar_.draw(context, state_);
   ImGui::EndChild();

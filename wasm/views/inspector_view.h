@@ -16,6 +16,7 @@ class InspectorView {
 
   void draw(ViewContext& context);
   void show(Page page) { page_ = page; }
+  [[nodiscard]] const OperationForm& operation_form() const { return operations_.form(); }
   /// Registers a command for each operation, "operation.smooth", that opens its form; and those of the layers.
   void add_commands(CommandRegistry& registry, Workspace& workspace);
 

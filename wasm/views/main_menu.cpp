@@ -20,7 +20,7 @@ constexpr std::string_view kClip[] = {
     "#Frames", "clip.first_frame.leave_out", "clip.frames.declared"};
 
 constexpr std::string_view kView[] = {
-    "view.outliner", "view.inspector", "view.curves", "view.problems", "view.layers", "#Camera", "view.frame_all",
+    "view.outliner", "view.inspector", "view.curves", "view.problems", "view.layers", "#Below the timeline", "view.curve_editor", "view.filter_explorer", "view.rotation_orders", "#Camera", "view.frame_all",
     "view.frame_selection", "view.front", "view.side", "view.top", "view.orthographic", "view.follow_root", "#Figure",
     "view.grid", "view.shadow", "view.names", "view.strobe", "view.trails", "#Interface", "view.theme.system",
     "view.theme.light", "view.theme.dark", "view.scale.larger", "view.scale.smaller", "view.scale.reset",

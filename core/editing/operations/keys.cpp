@@ -214,23 +214,23 @@ constexpr OperationParameter kExtrapolation[] = {
 
 constexpr Operation kKeys[] = {
     {.id = "to-keys", .label = "Samples to keys", .group = "Keys", .help = "Gives whole channels as few keys as the tolerance allows.",
-     .reach = OperationReach::Layers, .parameters = kToKeys, .make = make_to_keys},
+     .reach = OperationReach::Keys, .parameters = kToKeys, .make = make_to_keys},
     {.id = "to-samples", .label = "Keys to samples", .group = "Keys", .help = "Lets the keys of channels go; the samples stay.",
-     .reach = OperationReach::Layers, .make = make_to_samples},
-    {.id = "key", .label = "Set key", .group = "Keys", .help = "Sets a key in the channels.", .reach = OperationReach::Layers,
+     .reach = OperationReach::Keys, .make = make_to_samples},
+    {.id = "key", .label = "Set key", .group = "Keys", .help = "Sets a key in the channels.", .reach = OperationReach::Keys,
      .parameters = kKey, .make = make_key},
     {.id = "key-insert", .label = "Insert key", .group = "Keys", .help = "Puts a key on curves of keys without changing their shape.",
-     .reach = OperationReach::Layers, .parameters = kInsert, .make = make_key_insert},
+     .reach = OperationReach::Keys, .parameters = kInsert, .make = make_key_insert},
     {.id = "key-delete", .label = "Delete keys", .group = "Keys", .help = "Takes the keys of the range away.",
-     .reach = OperationReach::Layers, .parameters = kOnly, .make = make_key_delete},
+     .reach = OperationReach::Keys, .parameters = kOnly, .make = make_key_delete},
     {.id = "key-move", .label = "Move keys", .group = "Keys", .help = "Moves the keys of the range in time and value.",
-     .reach = OperationReach::Layers, .parameters = kMove, .make = make_key_move},
+     .reach = OperationReach::Keys, .parameters = kMove, .make = make_key_move},
     {.id = "key-interpolation", .label = "Interpolation of keys", .group = "Keys", .help = "Sets how the curve runs behind the keys of the range.",
-     .reach = OperationReach::Layers, .parameters = kShape, .make = make_key_interpolation},
+     .reach = OperationReach::Keys, .parameters = kShape, .make = make_key_interpolation},
     {.id = "key-handles", .label = "Handles of keys", .group = "Keys", .help = "Sets where the handles of the keys of the range come from.",
-     .reach = OperationReach::Layers, .parameters = kHandles, .make = make_key_handles},
+     .reach = OperationReach::Keys, .parameters = kHandles, .make = make_key_handles},
     {.id = "key-extrapolation", .label = "Beyond the keys", .group = "Keys",
-     .help = "Sets what curves do before their first and behind their last key.", .reach = OperationReach::Layers,
+     .help = "Sets what curves do before their first and behind their last key.", .reach = OperationReach::Keys,
      .parameters = kExtrapolation, .make = make_key_extrapolation}};
 
 }  // namespace

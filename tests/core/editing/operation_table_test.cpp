@@ -123,7 +123,8 @@ TEST(OperationTable, SurvivesMissingSamples) {
 
 bool is_sample_operation(const Operation& operation) {
   return operation.reach != OperationReach::Frames && operation.reach != OperationReach::Clip &&
-         operation.reach != OperationReach::Figure && operation.reach != OperationReach::Layers;
+         operation.reach != OperationReach::Figure && operation.reach != OperationReach::Keys &&
+         operation.reach != OperationReach::Layers;
 }
 
 TEST(OperationTable, WithoutWeightChangesNothing) {

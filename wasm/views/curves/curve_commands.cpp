@@ -102,6 +102,30 @@ Json locate(const CurveCommandTargets& t, const Json& args) {
   return {{"x", t.time.x_of(frame) * scale}, {"y", axis.y_of(motion.sample(channel, frame)) * scale}};
 }
 
+void add_page(CommandRegistry& registry, ViewOptions& options, CurvesPage page, Command command) {
+  command.run = [&options, page](const Json&) -> Json {
+    options.curves_page = page;
+    options.show_curves = true;
+    return nullptr;
+  };
+  command.checked = [&options, page] { return options.curves_page == page; };
+  registry.add(std::move(command));
+}
+
+void add_pages(CommandRegistry& registry, ViewOptions& options) {
+  add_page(registry, options, CurvesPage::Curves,
+           {.id = "view.curve_editor", .label = "Curve editor", .help = "Shows the curves of the selected joints.",
+            .shortcut = "Shift+1", .icon = icons::kChartSpline});
+  add_page(registry, options, CurvesPage::Filter,
+           {.id = "view.filter_explorer", .label = "Filter explorer",
+            .help = "Shows a curve with its second derivative, its spectrum and its residuals, before and after an operation.",
+            .shortcut = "Shift+2", .icon = icons::kWaves});
+  add_page(registry, options, CurvesPage::Orders,
+           {.id = "view.rotation_orders", .label = "Rotation orders",
+            .help = "Shows the rotation of a joint in each of the six orders, and where it is near gimbal lock.",
+            .shortcut = "Shift+3", .icon = icons::kRotate3d});
+}
+
 void add_view_commands(CommandRegistry& registry, CurveCommandTargets t) {
   registry.add({.id = "curve.fit",
                 .label = "Fit curves",
@@ -195,6 +219,7 @@ void add_operation_commands(CommandRegistry& registry, CurveCommandTargets t) {
 }  // namespace
 
 void add_curve_commands(CommandRegistry& registry, CurveCommandTargets targets) {
+  add_pages(registry, targets.options);
   add_view_commands(registry, targets);
   add_selection_commands(registry, targets);
   add_operation_commands(registry, targets);

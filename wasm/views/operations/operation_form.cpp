@@ -20,7 +20,9 @@ bool has_blends(const Operation& operation) {
          operation.reach == OperationReach::Roots;
 }
 
-bool has_target(const Operation& operation) { return operation.reach != OperationReach::Clip; }
+bool has_target(const Operation& operation) {
+  return operation.reach != OperationReach::Clip && operation.reach != OperationReach::Layers;
+}
 
 // A pixel of drag: a two hundredth of narrow ranges, else a little of the value that the slider starts with.
 double step_of(const OperationParameter& parameter) {
