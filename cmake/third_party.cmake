@@ -57,5 +57,9 @@ if(EXISTS "${MAREY_IMGUI_DIR}/imgui.cpp")
     # See wasm/platform/web/known_gl_state.cpp.
     set_source_files_properties("${renderer}" PROPERTIES COMPILE_DEFINITIONS glGetIntegerv=marey_get_known_gl_state)
     target_compile_definitions(imgui PUBLIC IMGUI_IMPL_OPENGL_ES3)
+    # For the first load of the page: all but the drawing of lines and shapes is small rather than quick.
+    set(small_imgui ${imgui_sources})
+    list(FILTER small_imgui EXCLUDE REGEX "imgui_draw\\.cpp$")
+    set_source_files_properties(${small_imgui} PROPERTIES COMPILE_OPTIONS "-Os")
   endif()
 endif()

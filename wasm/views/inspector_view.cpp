@@ -70,7 +70,7 @@ void InspectorView::add_commands(CommandRegistry& registry, Workspace& workspace
                   .icon = icons::kPencil,
                   .run = [this, &workspace, &operation, show_page](const nlohmann::json&) -> nlohmann::json {
                     show_page(Page::Edit);
-                    operations_.open(operation, workspace.session);
+                    operations_.open(operation, workspace.session, workspace.clip_serial);
                     return nullptr;
                   },
                   .blocked = [&workspace] { return needs_whole_clip(workspace); }});

@@ -13,7 +13,9 @@ constexpr float kRowHeight = 26.0f;
 
 }  // namespace
 
-void OperationsPage::open(const Operation& operation, Session& session) {
+void OperationsPage::open(const Operation& operation, Session& session, std::uint64_t clip_serial) {
+  if (clip_serial_ != clip_serial) form_.forget();
+  clip_serial_ = clip_serial;
   form_.cancel(session);
   form_.open(operation, session);
 }
@@ -31,7 +33,7 @@ void OperationsPage::draw_row(ViewContext& context, const Operation& operation) 
                operation.label.data(), operation.label.data() + operation.label.size());
   context.items.add_last(id, operation.label);
   if (hovered) ui::tool_tip(context, operation.label, operation.help);
-  if (pressed) open(operation, context.session);
+  if (pressed) open(operation, context.session, context.clip_serial);
 }
 
 void OperationsPage::draw_report(ViewContext& context) const {

@@ -13,7 +13,7 @@ class OperationsPage {
  public:
   void draw(ViewContext& context);
   /// Opens the form of an operation; the preview of another one is taken back.
-  void open(const Operation& operation, Session& session);
+  void open(const Operation& operation, Session& session, std::uint64_t clip_serial);
   /// Takes a preview back, as another page is looked at.
   void leave(Session& session) { form_.cancel(session); }
   [[nodiscard]] const OperationForm& form() const { return form_; }
