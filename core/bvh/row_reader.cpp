@@ -274,7 +274,9 @@ MotionRows RowReader::take_result() {
   result.samples = store_.take_samples();
   result.style.columns = std::move(survey_.columns);
   result.style.frame_count = result.frame_count;
-  result.lines_are_new = repaired_ || odd_tokens_.overflowed();
+  // What commas mean was found without a count; written with one, the same rows might be understood in another way.
+  const bool found_commas = survey_.look.point == ',' || survey_.look.commas_separate;
+  result.lines_are_new = repaired_ || odd_tokens_.overflowed() || (found_commas && !input_.declared_frames);
   odd_tokens_.move_into(result.style);
   if (result.lines_are_new) give_each_frame_a_line(result.style, std::string(input_.line_end));
   return result;

@@ -89,6 +89,30 @@ void add_document(json& state, const Document& document) {
   state["namesIn"] = traits_of(settings.names_in).id;
 }
 
+int count_keys(const std::map<ChannelIndex, SharedKeys>& curves) {
+  int count = 0;
+  for (const auto& curve : curves) count += size_of(curve.second->keys);
+  return count;
+}
+
+void add_layers(json& state, const Session& session) {
+  const LayerStack& stack = session.document.clip().stack;
+  json layers = json::array();
+  for (const Layer& layer : stack.layers) {
+    layers.push_back({{"name", ui::displayable(layer.name)},
+                      {"mode", layer.mode == LayerMode::Override ? "override" : "additive"},
+                      {"muted", layer.muted},
+                      {"solo", layer.solo},
+                      {"locked", layer.locked},
+                      {"channels", layer.curves.size()},
+                      {"keys", count_keys(layer.curves)}});
+  }
+  state["layers"] = std::move(layers);
+  state["activeLayer"] = session.active_layer + 1;
+  state["keyedChannels"] = stack.keyed.size();
+  state["ownKeys"] = count_keys(stack.keyed);
+}
+
 void add_playback(json& state, const Playback& playback) {
   state["frame"] = playback.frame();
   state["position"] = playback.position();
@@ -138,6 +162,7 @@ void add_interface(json& state, const AppParts& parts) {
 nlohmann::json App::state() const {
   json state = json::object();
   add_document(state, parts_->workspace.session.document);
+  add_layers(state, parts_->workspace.session);
   add_playback(state, parts_->workspace.session.playback);
   state["selection"] = selection_state(parts_->workspace.session);
   add_interface(state, *parts_);

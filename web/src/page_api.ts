@@ -53,6 +53,22 @@ export interface State {
     samples: { channel: number; first: number; count: number }[];
   };
 
+  /** The layers of keys over the samples, from the lowest. */
+  layers: {
+    name: string;
+    mode: "additive" | "override";
+    muted: boolean;
+    solo: boolean;
+    locked: boolean;
+    /** How many channels have keys, and how many keys there are. */
+    channels: number;
+    keys: number;
+  }[];
+  /** The layer that keys are set on, from 1; 0 for the channels themselves. */
+  activeLayer: number;
+  /** Channels that are keys rather than samples, and their keys. */
+  keyedChannels: number;
+  ownKeys: number;
   theme: "dark" | "light";
   themeChoice: "system" | "dark" | "light";
   interfaceScale: number;

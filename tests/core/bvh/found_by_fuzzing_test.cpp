@@ -91,5 +91,13 @@ TEST(FoundByFuzzing, TextBehindAHeaderWithoutChannelsStaysWhatItIs) {
   EXPECT_THAT(written(clip), testing::EndsWith("Frame Time: 0.1\nsome words 1 2\n0.0 1.0\nmore\n"));
 }
 
+// The count that is written, 6, would fit only if the semicolon were part of a word.
+TEST(FoundByFuzzing, SemicolonsFoundWithoutACountAreNotWrittenWithOne) {
+  const BvhClip clip = read_or_fail(
+      "HIERARCHY\nROOT a\n{\n OFFSET 0 0 0\n CHANNELS 1 Zrotation\n}\nMOTION\nFram.s: 4\nFrame.0166\n95\n89.9;528593\n.741013\n89.4\n");
+  ASSERT_EQ(rows_of(clip).size(), 6u);
+  EXPECT_EQ(rows_of(read_or_fail(written(clip))), rows_of(clip)) << written(clip);
+}
+
 }  // namespace
 }  // namespace marey

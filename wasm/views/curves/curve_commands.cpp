@@ -115,15 +115,15 @@ void add_page(CommandRegistry& registry, ViewOptions& options, CurvesPage page, 
 void add_pages(CommandRegistry& registry, ViewOptions& options) {
   add_page(registry, options, CurvesPage::Curves,
            {.id = "view.curve_editor", .label = "Curve editor", .help = "Shows the curves of the selected joints.",
-            .shortcut = "Shift+1", .icon = icons::kChartSpline});
+            .shortcut = "Alt+1", .icon = icons::kChartSpline});
   add_page(registry, options, CurvesPage::Filter,
            {.id = "view.filter_explorer", .label = "Filter explorer",
             .help = "Shows a curve with its second derivative, its spectrum and its residuals, before and after an operation.",
-            .shortcut = "Shift+2", .icon = icons::kWaves});
+            .shortcut = "Alt+2", .icon = icons::kWaves});
   add_page(registry, options, CurvesPage::Orders,
            {.id = "view.rotation_orders", .label = "Rotation orders",
             .help = "Shows the rotation of a joint in each of the six orders, and where it is near gimbal lock.",
-            .shortcut = "Shift+3", .icon = icons::kRotate3d});
+            .shortcut = "Alt+3", .icon = icons::kRotate3d});
 }
 
 void add_view_commands(CommandRegistry& registry, CurveCommandTargets t) {

@@ -146,8 +146,9 @@ void draw_small_plot(ViewContext& context, const char* id, ImVec2 min, ImVec2 ma
 }
 
 ImVec4 plot_place(int index, int count, ImVec2 min, ImVec2 max, float least_width) {
-  const int columns = std::clamp(static_cast<int>((max.x - min.x) / least_width), 1, count);
-  const int rows = (count + columns - 1) / columns;
+  const int room = std::clamp(static_cast<int>((max.x - min.x) / least_width), 1, count);
+  const int rows = (count + room - 1) / room;
+  const int columns = (count + rows - 1) / rows;
   const float width = (max.x - min.x) / static_cast<float>(columns);
   const float height = (max.y - min.y) / static_cast<float>(rows);
   const float left = min.x + static_cast<float>(index % columns) * width;

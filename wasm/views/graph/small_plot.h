@@ -46,7 +46,8 @@ struct SmallPlot {
 /// Draws a plot with title, axes and units into a rectangle; curves with more points than pixels by their extents.
 void draw_small_plot(ViewContext& context, const char* id, ImVec2 min, ImVec2 max, const SmallPlot& plot);
 
-/// The rectangles of `count` plots side by side, in as many rows as keep each at least `least_width` wide.
+/// The rectangle (left, top, right, bottom) of one of `count` plots side by side, in as few rows as keep each at least
+/// `least_width` wide, the rows as even as can be.
 [[nodiscard]] ImVec4 plot_place(int index, int count, ImVec2 min, ImVec2 max, float least_width);
 
 }  // namespace marey::app

@@ -22,4 +22,7 @@ void end_row();
 /// A row whose value is text that cannot be edited; `number` sets it in the monospaced face.
 void text_row(ViewContext& context, std::string_view label, std::string_view value, bool number = false);
 
+/// The same, recorded in UiItems with its value.
+void known_text_row(ViewContext& context, std::string_view id, std::string_view label, std::string_view value);
+
 }  // namespace marey::app::inspector

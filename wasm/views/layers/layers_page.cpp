@@ -155,8 +155,7 @@ void LayersPage::draw_active(ViewContext& context) {
   draw_modes(context, layer);
   const Layer& shown = layer_of(context, layer);
   const std::string keys = fmt::format("{} in {}", count_keys(shown.curves), counted(size_of(shown.curves), "channel"));
-  inspector::text_row(context, "Keys", keys);
-  context.items.add_last("layers.key_count", keys);
+  inspector::known_text_row(context, "layers.key_count", "Keys", keys);
 }
 
 void LayersPage::draw_keys(ViewContext& context) {
@@ -194,8 +193,7 @@ void LayersPage::draw_deviations(ViewContext& context) {
     const char* unit = is_rotation(channel.kind) ? "°" : "";
     const std::string text = fmt::format("max {:.2f}{} at {}, RMS {:.2f}{}", deviation.of.largest, unit, deviation.of.at + 1,
                                          deviation.of.rms, unit);
-    inspector::text_row(context, channel_name(channel), text);
-    context.items.add_last(SmallText("layers.deviation.{}", deviation.channel), text);
+    inspector::known_text_row(context, SmallText("layers.deviation.{}", deviation.channel), channel_name(channel), text);
   }
 }
 

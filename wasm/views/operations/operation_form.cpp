@@ -90,7 +90,7 @@ void OperationForm::draw_number(ViewContext& context, const OperationParameter& 
   const double shift = parameter.kind == ParameterKind::Frame ? 1.0 : 0.0;
   const SmallText id("operation.value.{}", parameter.name);
   const auto result = ui::number_field(context, id.c_str(), parameter.label, value + shift,
-                                       {.unit = parameter.unit.size() > 8 ? std::string_view() : parameter.unit,
+                                       {.unit = parameter.unit == "degrees or file units" ? "° or units" : parameter.unit,
                                         .decimals = parameter.kind == ParameterKind::Number ? 3 : 0,
                                         .step = step_of(parameter),
                                         .low = parameter.least + shift,
@@ -147,9 +147,7 @@ void OperationForm::draw_parameters(ViewContext& context) {
       target_ = make_target(context.session, kind_);
       changed_ = true;
     }
-    const std::string text = describe(target_);
-    inspector::text_row(context, "", text);
-    context.items.add_last("operation.described", text);
+    inspector::known_text_row(context, "operation.described", "", describe(target_));
   }
   for (std::size_t i = 0; i < operation_->parameters.size(); ++i) draw_parameter(context, operation_->parameters[i], i);
 }

@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include "core/editing/operation.h"
+#include "tests/app/support/app_stage.h"
+#include "wasm/views/operations/operation_form.h"
+
+namespace marey::app {
+namespace {
+
+class OperationsPageTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    stage_.open_sample("walk");
+    stage_.app().session().selection.select_only(3);
+    stage_.settle();
+    before_ = stage_.app().save_text();
+  }
+
+  void open(const std::string& operation) {
+    stage_.app().run_command("operation." + operation, nullptr);
+    stage_.settle();
+  }
+
+  [[nodiscard]] std::string text() { return stage_.app().save_text(); }
+  [[nodiscard]] int undo_depth() { return stage_.state()["undoDepth"].get<int>(); }
+
+  AppStage stage_;
+  std::string before_;
+};
+
+TEST_F(OperationsPageTest, ShowsTheOutcomeBeforeItIsApplied) {
+  open("smooth");
+  EXPECT_NE(text(), before_);
+  const std::string narrow = text();
+  stage_.drag("operation.value.sigma", {60.0f, 0.0f});
+  stage_.settle();
+  EXPECT_NE(text(), narrow) << "the preview follows the value";
+  EXPECT_EQ(undo_depth(), 1) << "and stays one step";
+  stage_.click("operation.apply");
+  stage_.settle();
+  EXPECT_EQ(undo_depth(), 1);
+  ASSERT_TRUE(stage_.shows("operation.report.0"));
+  stage_.app().run_command("edit.undo", nullptr);
+  EXPECT_EQ(text(), before_);
+}
+
+TEST_F(OperationsPageTest, CancelAndEscapeTakeItBack) {
+  open("smooth");
+  stage_.click("operation.cancel");
+  stage_.settle();
+  EXPECT_EQ(text(), before_);
+  EXPECT_EQ(undo_depth(), 0);
+  open("smooth");
+  EXPECT_NE(text(), before_);
+  stage_.press(ImGuiKey_Escape);
+  stage_.settle();
+  EXPECT_EQ(text(), before_);
+}
+
+TEST_F(OperationsPageTest, AnotherPageTakesThePreviewBack) {
+  open("smooth");
+  EXPECT_NE(text(), before_);
+  stage_.click("inspector.tab.joint");
+  stage_.settle();
+  EXPECT_EQ(text(), before_);
+}
+
+TEST_F(OperationsPageTest, WithoutPreviewNothingHappensBeforeApply) {
+  open("smooth");
+  stage_.click("operation.preview");
+  stage_.settle();
+  EXPECT_EQ(text(), before_);
+  stage_.click("operation.apply");
+  stage_.settle();
+  EXPECT_NE(text(), before_);
+  EXPECT_EQ(undo_depth(), 1);
+}
+
+TEST_F(OperationsPageTest, WorksOnWhatIsSelected) {
+  stage_.app().run_command("curve.select", {{"channel", 12}, {"first", 9}, {"count", 12}});
+  open("offset");
+  EXPECT_EQ(stage_.item("operation.described").label, "1 channel, frames 10 to 21");
+  stage_.click("operation.target");
+  stage_.settle();
+  stage_.click("operation.target.clip");
+  stage_.settle();
+  EXPECT_EQ(stage_.item("operation.described").label, "66 channels, frames 1 to 192");
+}
+
+TEST_F(OperationsPageTest, UndoneMeansNoPreviewAnyMore) {
+  open("smooth");
+  stage_.app().run_command("edit.undo", nullptr);
+  stage_.settle();
+  EXPECT_EQ(text(), before_);
+  EXPECT_EQ(undo_depth(), 0) << "it is not made again by itself";
+}
+
+TEST_F(OperationsPageTest, SaysWhyItIsRefused) {
+  open("butterworth");
+  stage_.double_click("operation.value.cutoff");
+  stage_.type("500");
+  stage_.press(ImGuiKey_Enter);
+  stage_.settle();
+  ASSERT_TRUE(stage_.shows("operation.refusal"));
+  EXPECT_NE(stage_.item("operation.refusal").label.find("half the frame rate"), std::string::npos);
+  EXPECT_EQ(text(), before_);
+}
+
+TEST_F(OperationsPageTest, FindsOperationsByName) {
+  stage_.click("inspector.tab.edit");
+  stage_.settle();
+  EXPECT_TRUE(stage_.shows("operation.smooth"));
+  stage_.click("operations.search");
+  stage_.type("mirror");
+  stage_.settle();
+  EXPECT_FALSE(stage_.shows("operation.smooth"));
+  stage_.click("operation.mirror");
+  stage_.settle();
+  EXPECT_TRUE(stage_.shows("operation.apply"));
+}
+
+// Each by its own form: opened, previewed, applied, undone.
+TEST_F(OperationsPageTest, EveryOperationHasAForm) {
+  int changed = 0;
+  for (const Operation& operation : operations()) {
+    SCOPED_TRACE(operation.id);
+    if (!is_for_page(operation)) continue;
+    open(std::string(operation.id));
+    ASSERT_TRUE(stage_.shows("operation.apply"));
+    stage_.click("operation.apply");
+    stage_.settle();
+    if (stage_.shows("operation.cancel")) stage_.click("operation.cancel");
+    stage_.settle();
+    changed += undo_depth();
+    while (undo_depth() > 0) stage_.app().run_command("edit.undo", nullptr);
+    stage_.settle();
+    ASSERT_EQ(text(), before_);
+    stage_.app().session().selection.select_only(3);
+  }
+  EXPECT_GT(changed, 20);
+}
+
+TEST_F(OperationsPageTest, TheFilterExplorerLooksAtTheCurve) {
+  open("butterworth");
+  stage_.app().run_command("view.filter_explorer", nullptr);
+  stage_.settle();
+  for (const char* plot : {"explorer.plot.0", "explorer.plot.1", "explorer.plot.2", "explorer.plot.3"}) {
+    EXPECT_TRUE(stage_.shows(plot)) << plot;
+  }
+  stage_.app().run_command("view.rotation_orders", nullptr);
+  stage_.settle();
+  EXPECT_TRUE(stage_.shows("orders.plot.5"));
+  EXPECT_FALSE(stage_.shows("explorer.plot.0"));
+  EXPECT_NE(stage_.item("orders.plot.4").label.find("ZXY (as it is)"), std::string::npos);
+  stage_.app().run_command("view.curve_editor", nullptr);
+  stage_.settle();
+  EXPECT_TRUE(stage_.shows("curves.canvas"));
+}
+
+}  // namespace
+}  // namespace marey::app
