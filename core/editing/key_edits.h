@@ -23,7 +23,7 @@ inline constexpr int kOwnKeys = -1;
 
 /// The edit that sets keys at a frame so that the result there has the wanted values: on a layer, in all channels that move
 /// with the wanted ones; or with keys of the channels' own, which give what is beneath the layers. A channel of samples
-/// cannot have keys of its own one by one: core/motion/key_reduction.h makes them. Refused with InvalidArgument as above, and
+/// cannot have keys of its own one by one: core/editing/key_reduction.h makes them. Refused with InvalidArgument as above, and
 /// where the layer does not count at the frame or a layer above hides it.
 [[nodiscard]] Result<Edit> make_pose_key_edit(const Clip& clip, std::string name, int layer, FrameIndex frame,
                                               const ChannelValues& wanted);

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <vector>
 
+#include "core/editing/key_reduction.h"
 #include "core/motion/clip.h"
-#include "core/motion/key_reduction.h"
 
 namespace marey {
 

@@ -1,4 +1,4 @@
-#include "core/motion/key_reduction.h"
+#include "core/editing/key_reduction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/motion/span_fit.h"
+#include "core/editing/span_fit.h"
 #include "core/signal/continued_curve.h"
 
 namespace marey {

@@ -1,4 +1,4 @@
-#include "core/motion/span_fit.h"
+#include "core/editing/span_fit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/motion/key_reduction.h"
+#include "core/editing/key_reduction.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
