@@ -30,7 +30,7 @@ enum class ParameterKind : std::uint8_t {
 /// One thing that an operation wants to know.
 struct OperationParameter {
   std::string_view name{};   ///< for programs and recipes: "sigma"
-  std::string_view label{};  ///< for people: "Standard deviation"
+  std::string_view label{};  ///< for people: "Width"
   std::string_view unit{};   ///< "frames", "Hz", "degrees or file units", ""
   std::string_view help{};   ///< a sentence
   ParameterKind kind = ParameterKind::Number;

@@ -109,7 +109,7 @@ Outcome make_fill_gaps_edit(const OperationCall& call) {
 }
 
 constexpr OperationParameter kSmooth[] = {
-    {.name = "sigma", .label = "Standard deviation", .unit = "frames",
+    {.name = "sigma", .label = "Width", .unit = "frames",
      .help = "Width of the bell that weighs the neighbours of a sample.", .initial = 2.0, .least = 0.1, .most = 1000.0}};
 constexpr OperationParameter kButterworth[] = {
     {.name = "cutoff", .label = "Cut-off", .unit = "Hz",

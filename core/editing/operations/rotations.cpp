@@ -158,7 +158,7 @@ constexpr OperationParameter kSolve[] = {
 constexpr std::string_view kMethods[] = {"gaussian", "butterworth"};
 constexpr OperationParameter kRotationFilter[] = {
     {.name = "method", .label = "Method", .help = "Which filter.", .kind = ParameterKind::Choice, .most = 1.0, .choices = kMethods},
-    {.name = "sigma", .label = "Standard deviation", .unit = "frames", .help = "Of the Gaussian bell.", .initial = 2.0,
+    {.name = "sigma", .label = "Width", .unit = "frames", .help = "Of the Gaussian bell.", .initial = 2.0,
      .least = 0.1, .most = 1000.0},
     {.name = "cutoff", .label = "Cut-off", .unit = "Hz", .help = "Of the Butterworth filter.", .initial = 6.0, .least = 0.01,
      .most = 1000.0}};

@@ -15,7 +15,7 @@ namespace marey::app {
 namespace {
 
 constexpr int kMostFrames = 8192;  // that are looked at together
-constexpr float kLeastWidth = 210.0f;
+constexpr float kLeastWidth = 180.0f;
 
 // The samples without the newest step of undo, which is the previewed operation.
 std::vector<double> samples_before_step(const Document& document, ChannelIndex channel, bool has_step) {
@@ -146,7 +146,9 @@ void FilterExplorer::draw(ViewContext& context, const OperationForm& form, const
   choose_channel(context, form, shown);
   ImGui::SameLine(0.0f, 12.0f);
   ImGui::AlignTextToFramePadding();
-  ui::dim_text(context, form.is_open() ? "Grey is before, coloured after." : "Open a filter under Edit to see what it does.");
+  const char* advice = form.is_open() ? "Grey is before, coloured after." : "Open a filter under Edit to see what it does.";
+  const float room = max.x - ImGui::GetCursorScreenPos().x - 12.0f - 3.0f * (ImGui::GetFrameHeight() + 2.0f);
+  if (ImGui::CalcTextSize(advice).x <= room) ui::dim_text(context, advice);
   follow(context);
   draw_plots(context, form, {min.x + 4.0f, min.y + ImGui::GetFrameHeight() + 12.0f}, max);
 }

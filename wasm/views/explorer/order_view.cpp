@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kMostFrames = 8192;
 constexpr double kNearLockDeg = 15.0;
-constexpr float kLeastWidth = 260.0f;
+constexpr float kLeastWidth = 180.0f;
 constexpr char kLetters[] = {'X', 'Y', 'Z'};
 constexpr EulerOrder kOrders[] = {{Axis::X, Axis::Y, Axis::Z}, {Axis::X, Axis::Z, Axis::Y}, {Axis::Y, Axis::X, Axis::Z},
                                   {Axis::Y, Axis::Z, Axis::X}, {Axis::Z, Axis::X, Axis::Y}, {Axis::Z, Axis::Y, Axis::X}};
@@ -90,8 +90,10 @@ void OrderView::draw(ViewContext& context, ImVec2 min, ImVec2 max) {
     ui::dim_text(context, "This joint does not turn.");
     return;
   }
-  ui::dim_text(context, SmallText("{} in the six orders: red X, green Y, blue Z. Shaded: the middle angle within 15° of lock.",
-                                  context.session.document.skeleton().name(joint)));
+  const float room = max.x - min.x - 24.0f - 3.0f * (ImGui::GetFrameHeight() + 2.0f);
+  const SmallText text("{} in the six orders: red X, green Y, blue Z. Shaded: the middle angle within 15° of lock.",
+                       context.session.document.skeleton().name(joint));
+  ui::elided_text(context, text, room, context.theme.dim_text);
   const ImVec2 top{min.x + 4.0f, min.y + ImGui::GetFrameHeight() + 8.0f};
   for (int i = 0; i < size_of(orders_); ++i) {
     draw_order(context, orders_[idx(i)], i, plot_place(i, size_of(orders_), top, max, kLeastWidth));

@@ -16,7 +16,7 @@ float begin_row(ViewContext& context, std::string_view label, float height) {
   ImGui::SetCursorPosX(kPadding);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + std::round(0.5f * (height - ImGui::GetTextLineHeight())));
-  ui::dim_text(context, label);
+  if (!label.empty()) ui::elided_text(context, label, kLabelWidth - 6.0f, context.theme.dim_text);
   ImGui::SetCursorPos({kPadding + kLabelWidth, top});
   return std::max(40.0f, ImGui::GetContentRegionAvail().x - kPadding);
 }

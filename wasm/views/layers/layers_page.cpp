@@ -208,7 +208,7 @@ void LayersPage::draw(ViewContext& context) {
   ImGui::Dummy({0.0f, 8.0f});
   for (int layer = size_of(context.session.document.clip().stack.layers) - 1; layer >= 0; --layer) draw_layer(context, layer);
   draw_base(context);
-  ImGui::Dummy({0.0f, 4.0f});
+  ImGui::Dummy({0.0f, 8.0f});
   if (context.session.active_layer != kOwnKeys) draw_active(context);
   draw_keys(context);
   follow_clip(context);

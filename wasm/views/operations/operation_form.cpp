@@ -14,6 +14,7 @@ namespace {
 
 // A preview of so many samples takes about a tenth of a second.
 constexpr std::size_t kMostPreviewed = 1'500'000;
+constexpr float kButtonGap = 8.0f;
 
 bool has_blends(const Operation& operation) {
   return operation.reach == OperationReach::Channels || operation.reach == OperationReach::Joints ||
@@ -252,6 +253,9 @@ OperationForm::Answer OperationForm::draw_buttons(ViewContext& context) {
 
 OperationForm::Answer OperationForm::draw(ViewContext& context) {
   follow_clip(context);
+  const float buttons = ImGui::GetFrameHeight() + 2.0f * kButtonGap;
+  ImGui::BeginChild("operation.rows", {0.0f, std::max(ImGui::GetContentRegionAvail().y - buttons, 2.0f * buttons)},
+                    ImGuiChildFlags_NavFlattened);
   inspector::heading(context, operation_->label);
   wrapped_text(operation_->help, context.theme.dim_text);
   ImGui::Dummy({0.0f, 8.0f});
@@ -260,6 +264,8 @@ OperationForm::Answer OperationForm::draw(ViewContext& context) {
   if (previews_ && changed_) take(context);
   ImGui::Dummy({0.0f, 4.0f});
   draw_outcome(context);
+  ImGui::EndChild();
+  ImGui::Dummy({0.0f, kButtonGap});
   return draw_buttons(context);
 }
 
