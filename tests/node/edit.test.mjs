@@ -1,6 +1,6 @@
 // marey edit as people and programs call it, and the manual beside the table of operations.
 import assert from "node:assert/strict";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -138,6 +138,12 @@ describe("docs/operations.md", () => {
 
   test("has a section for each operation and no other", () => {
     assert.deepEqual([...sections.keys()], table.map(({ id }) => id));
+  });
+
+  test("shows pictures that are there, of more than fifty operations", () => {
+    const pictures = [...page.matchAll(/!\[[^\]]*\]\(([^)]*)\)/g)].map(([, path]) => path);
+    for (const path of pictures) assert.ok(existsSync(join(root, "docs", path)), path);
+    assert.ok(pictures.length > 50);
   });
 
   for (const { id, label, help, parameters } of table) {

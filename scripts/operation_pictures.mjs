@@ -1,0 +1,111 @@
+// The pictures of docs/operations.md, one for each operation that changes a curve or the rest pose, made by the operation
+// itself on web/samples/walk.bvh: node scripts/operation_pictures.mjs
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { capture, Failure, inRoot, main } from "./lib/shell.mjs";
+import { beforeAfterPlot, figurePlot } from "./docs/before_after.mjs";
+import { parseBvh, restPose } from "./docs/small_bvh.mjs";
+
+const marey = inRoot("build", "native", "marey");
+const sample = inRoot("web", "samples", "walk.bvh");
+const noisy = "noise amplitude=2 seed=3 joints=LeftKnee";
+const layer = ["layer-add name=Fix", "key layer=Fix joints=LeftKnee channels=Xrotation frame=60 value=0 of=layer",
+  "key layer=Fix joints=LeftKnee channels=Xrotation frame=90 value=-30 of=layer",
+  "key layer=Fix joints=LeftKnee channels=Xrotation frame=120 value=0 of=layer"];
+const keyed = ["to-keys tolerance=2 joints=LeftKnee"];
+const knee = "joints=LeftKnee";
+const part = `${knee} frames=70:110`;
+
+/** What each picture shows: `before` and `step` on a channel, or on the rest pose. */
+const pictures = {
+  smooth: { before: [noisy], step: `smooth sigma=3 ${part} blend-in=5 blend-out=5` },
+  butterworth: { before: [noisy], step: `butterworth cutoff=6 ${knee}` },
+  "savitzky-golay": { before: [noisy], step: `savitzky-golay window=15 ${knee}` },
+  median: { before: [noisy], step: `median window=9 ${knee}` },
+  despike: { before: [`offset by=25 ${knee} frames=80`, `offset by=20 ${knee} frames=145`], step: `despike ${knee}` },
+  scale: { step: `scale factor=1.5 ${part} blend-in=10 blend-out=10` },
+  offset: { step: `offset by=15 ${part} blend-in=10 blend-out=10` },
+  "time-offset": { step: `time-offset by=10 ${knee} ends=loop` },
+  noise: { step: `noise amplitude=4 period=4 ${part}` },
+  reverse: { step: `reverse ${part}` },
+  hold: { step: `hold ${part}` },
+  "blend-neighbour": { step: `blend-neighbour factor=-0.7 ${part}` },
+  "blend-default": { step: `blend-default factor=0.7 ${part} blend-in=10 blend-out=10` },
+  "blend-ease": { step: `blend-ease factor=0.8 ${part}` },
+  "push-pull": { step: `push-pull factor=0.3 ${part}` },
+  breakdown: { step: `breakdown factor=0.5 ${part}` },
+  "match-slope": { step: `match-slope factor=-0.6 ${part}` },
+  "loop-match": { step: `loop-match ${knee} frames=40:150` },
+  unroll: { before: [`offset by=360 ${knee} frames=80:100`], step: `unroll ${knee}` },
+  "solve-angles": { before: [`offset by=360 ${knee} frames=80:100`], step: `solve-angles ${knee}` },
+  "rotation-filter": { before: [noisy], step: `rotation-filter sigma=3 ${knee}` },
+  mirror: { step: "mirror" },
+  "in-place": { step: "in-place", channel: "Hips Zposition" },
+  turn: { step: "turn angle=60", channel: "Hips Xposition" },
+  move: { step: "move z=100", channel: "Hips Zposition" },
+  "zero-start": { before: ["move z=80"], step: "zero-start", channel: "Hips Zposition" },
+  "path-scale": { step: "path-scale factor=0.5", channel: "Hips Zposition" },
+  retime: { step: "retime speed=2 frames=60:120" },
+  "set-duration": { step: "set-duration seconds=1.6 frames=60:120" },
+  warp: { step: "warp points=1:1,80:60,110:140,192:192" },
+  resample: { step: "resample rate=15", byTime: true },
+  trim: { step: "trim frames=60:120" },
+  cut: { step: "cut frames=60:120" },
+  insert: { step: "insert at=80 count=40 fill=blend" },
+  append: { step: `append from=${sample}` },
+  splice: { before: ["hold joints=LeftKnee"], step: `splice from=${sample} joints=LeftKnee frames=70:110 blend-in=8 blend-out=8` },
+  "change-order": { step: "change-order order=xyz joints=LeftShoulder", channel: "LeftShoulder Zrotation" },
+  "fill-gaps": null,
+  "up-axis": { step: "up-axis to=z", figure: true },
+  "rest-pose": { step: "rest-pose frame=40", figure: true },
+  "scale-figure": { step: "scale-figure factor=0.7", figure: true },
+  "delete-joint": { step: "delete-joint joints=LeftElbow", figure: true },
+  "insert-joint": { step: "insert-joint joints=LeftElbow name=LeftTwist", figure: true },
+  reparent: { step: "reparent joints=LeftShoulder to=Hips", figure: true },
+  "to-keys": { step: `to-keys tolerance=4 interpolation=linear ${knee}` },
+  key: { before: layer.slice(0, 2), step: "key layer=Fix joints=LeftKnee channels=Xrotation frame=90 value=-20" },
+  "key-insert": null,
+  "key-delete": { before: keyed, step: `key-delete ${part}` },
+  "key-move": { before: keyed, step: `key-move by=6 value=-10 ${part}` },
+  "key-interpolation": { before: keyed, step: `key-interpolation interpolation=linear ${knee}` },
+  "key-handles": { before: keyed, step: `key-handles kind=flat ${knee}` },
+  "key-extrapolation": { before: keyed.concat(`key-delete ${knee} frames=100:192`), step: `key-extrapolation behind=cycle ${knee}` },
+  "layer-add": null,
+  "layer-delete": { before: layer, step: "layer-delete" },
+  "layer-mute": { before: layer, step: "layer-mute" },
+  "layer-solo": { before: [...layer, "layer-add name=Other"], step: "layer-solo layer=Other" },
+  "layer-mode": { before: layer, step: "layer-mode mode=override" },
+  "layer-weight": { before: layer, step: "layer-weight value=0.5" },
+  // No curve and no bone looks different: names, channels, locks and what is the same by other means.
+  "to-samples": null, rename: null, "remove-positions": null, "layer-rename": null, "layer-order": null, "layer-lock": null,
+  "layers-bake": null,
+};
+
+function edited(steps) {
+  if (steps.length === 0) return parseBvh(readFileSync(sample, "utf8"));
+  const { ok, stdout, stderr } = capture(marey, ["edit", sample, "-", ...steps.flatMap((step) => ["--do", step])]);
+  if (!ok) throw new Failure(`${steps.join(" | ")}: ${stderr}`);
+  return parseBvh(stdout);
+}
+
+function pictureOf({ before = [], step, channel = "LeftKnee Xrotation", figure = false, byTime = false }) {
+  const [from, to] = [edited(before), edited([...before, step])];
+  const caption = step.replaceAll(sample, "walk.bvh");
+  if (figure) return figurePlot({ caption, before: restPose(from), after: restPose(to) });
+  const curve = (clip) => clip.curve(channel).map((value, i) => [byTime ? i * clip.frameTime * 60 + 1 : i + 1, value]);
+  return beforeAfterPlot({ caption, title: channel, unit: channel.endsWith("position") ? "cm" : "°", before: curve(from), after: curve(to) });
+}
+
+await main(() => {
+  const folder = inRoot("docs", "images", "operations");
+  mkdirSync(folder, { recursive: true });
+  const { operations } = JSON.parse(capture(marey, ["edit", "--list", "--json"]).stdout);
+  let page = readFileSync(inRoot("docs", "operations.md"), "utf8");
+  for (const { id } of operations) {
+    if (!(id in pictures)) throw new Failure(`operation_pictures.mjs says nothing of ${id}`);
+    if (!pictures[id]) continue;
+    writeFileSync(inRoot("docs", "images", "operations", `${id}.svg`), pictureOf(pictures[id]));
+    const image = `![${id}: before grey, after blue](images/operations/${id}.svg)`;
+    if (!page.includes(image)) page = page.replace(new RegExp(`(### ${id}\n\n[^\n]*\n)`), `$1\n${image}\n`);
+  }
+  writeFileSync(inRoot("docs", "operations.md"), page);
+});
