@@ -1,13 +1,17 @@
 #include "core/editing/key_making.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "core/base/counted.h"
 #include "core/editing/layer_edits.h"
 #include "core/kinematics/forward_kinematics.h"
 #include "core/math/angle.h"
+#include "core/motion/curve_deviation.h"
 
 namespace marey {
 namespace {
@@ -127,6 +131,28 @@ Curves make_keys(const Clip& clip, const std::vector<ChannelIndex>& channels, co
     curves[channel] = reduce_to_keys(samples_beneath(clip, channel), 0, {making.tolerance, making.interpolation});
   }
   return curves;
+}
+
+std::string describe_keys(const Clip& clip, const Curves& curves) {
+  std::int64_t keys = 0;
+  CurveDeviation worst;
+  ChannelIndex worst_channel = 0;
+  const FrameRange all{0, clip.motion.frame_count()};
+  std::vector<double> values(idx(all.count));
+  for (const auto& [channel, curve] : curves) {
+    keys += size_of(curve.keys);
+    KeyEvaluator(curve).sample(all, values);
+    const CurveDeviation deviation = find_deviation(samples_beneath(clip, channel), values);
+    if (deviation.largest <= worst.largest) continue;
+    worst = deviation;
+    worst_channel = channel;
+  }
+  std::string text = fmt::format("{} instead of {} samples", counted(keys, "key"), std::int64_t{all.count} * size_of(curves));
+  if (worst.largest > 0.0) {
+    text += fmt::format("; at most {:.3g} from them ({}, frame {})", worst.largest, channel_label(clip.skeleton, worst_channel),
+                        worst.at + 1);
+  }
+  return text + ".";
 }
 
 }  // namespace marey

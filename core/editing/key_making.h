@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "core/editing/key_reduction.h"
@@ -30,5 +31,8 @@ struct KeyMaking {
 [[nodiscard]] std::map<ChannelIndex, KeyCurve> make_keys(const Clip& clip, const std::vector<ChannelIndex>& channels,
                                                          const KeyMaking& making,
                                                          const std::function<bool(double)>& carry_on = {});
+
+/// "412 keys instead of 5760 samples; at most 0.498 from them (LeftArm Zrotation, frame 31)."
+[[nodiscard]] std::string describe_keys(const Clip& clip, const std::map<ChannelIndex, KeyCurve>& curves);
 
 }  // namespace marey

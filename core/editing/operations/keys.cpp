@@ -7,10 +7,8 @@
 #include "core/base/counted.h"
 #include "core/editing/key_edits.h"
 #include "core/editing/key_making.h"
-#include "core/editing/layer_edits.h"
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/layer_choice.h"
-#include "core/motion/curve_deviation.h"
 #include "core/motion/key_curve_edits.h"
 
 namespace marey {
@@ -41,34 +39,11 @@ Interpolation asked_interpolation(const OperationCall& call) {
   return kInterpolationOf[static_cast<std::size_t>(call.number("interpolation"))];
 }
 
-// "412 keys instead of 5760 samples; at most 0.498 from them (LeftArm Zrotation, frame 31)".
-std::string report(const OperationCall& call, const Curves& curves) {
-  std::int64_t keys = 0;
-  CurveDeviation worst;
-  ChannelIndex worst_channel = 0;
-  const FrameRange all{0, call.clip.motion.frame_count()};
-  std::vector<double> values(idx(all.count));
-  for (const auto& [channel, curve] : curves) {
-    keys += size_of(curve.keys);
-    KeyEvaluator(curve).sample(all, values);
-    const CurveDeviation deviation = find_deviation(samples_beneath(call.clip, channel), values);
-    if (deviation.largest <= worst.largest) continue;
-    worst = deviation;
-    worst_channel = channel;
-  }
-  std::string text = fmt::format("{} instead of {} samples", counted(keys, "key"), std::int64_t{all.count} * size_of(curves));
-  if (worst.largest > 0.0) {
-    text += fmt::format("; at most {:.3g} from them ({}, frame {})", worst.largest,
-                        channel_label(call.clip.skeleton, worst_channel), worst.at + 1);
-  }
-  return text + ".";
-}
-
 Outcome make_to_keys(const OperationCall& call) {
   const ToleranceOf of = call.choice("measure") == "tips" ? ToleranceOf::Tips : ToleranceOf::Value;
   Curves curves = make_keys(call.clip, call.target.channels, {call.number("tolerance"), of, asked_interpolation(call)});
   if (curves.empty()) return OperationOutcome{};
-  std::vector<std::string> notes{report(call, curves)};
+  std::vector<std::string> notes{describe_keys(call.clip, curves)};
   Outcome outcome = with_edit(make_keys_edit(call.clip, named(call), kOwnKeys, std::move(curves)));
   if (outcome) outcome->notes = std::move(notes);
   return outcome;

@@ -157,5 +157,36 @@ TEST_F(OperationsPageTest, TheFilterExplorerLooksAtTheCurve) {
   EXPECT_TRUE(stage_.shows("curves.canvas"));
 }
 
+// A long clip is made into keys channel by channel, with progress, and can be left in the middle.
+TEST(LongOperation, ShowsProgressAndCanBeCancelled) {
+  AppStage stage;
+  ASSERT_TRUE(stage.open_text("long.bvh", small_bvh(30000)));
+  stage.settle();
+  const int channels = stage.state()["channels"];
+  ASSERT_GT(channels * 30000, 200000);
+  stage.app().session().selection.clear_joints();
+  const auto open = [&] {
+    stage.app().run_command("operation.to-keys", nullptr);
+    stage.frame();
+    stage.frame();
+  };
+  open();
+  ASSERT_TRUE(stage.shows("operation.progress"));
+  EXPECT_FALSE(stage.shows("operation.apply"));
+  stage.press(ImGuiKey_Escape);
+  stage.settle();
+  EXPECT_EQ(stage.state()["keyedChannels"], 0);
+  EXPECT_TRUE(stage.shows("operations.search"));
+  open();
+  EXPECT_GT(stage.settle(1000), 3) << "the page is drawn in between";
+  EXPECT_EQ(stage.state()["keyedChannels"], channels);
+  EXPECT_TRUE(stage.shows("operation.note"));
+  stage.click("operation.apply");
+  stage.settle();
+  EXPECT_EQ(stage.state()["undoDepth"], 1);
+  stage.app().run_command("edit.undo", nullptr);
+  EXPECT_EQ(stage.state()["keyedChannels"], 0);
+}
+
 }  // namespace
 }  // namespace marey::app

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/editing/key_edits.h"
 #include "wasm/app/faults.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/property_row.h"
@@ -68,7 +69,8 @@ void OperationForm::open(const Operation& operation, const Session& session) {
   notes_.clear();
   refusal_.clear();
   sample_serial_ = session.selection.sample_serial();
-  previews_ = target_.channels.size() * idx(target_.frames.count) <= kMostPreviewed;
+  applies_when_done_ = false;
+  previews_ = operation.id == "to-keys" || target_.channels.size() * idx(target_.frames.count) <= kMostPreviewed;
 }
 
 // The target is that of the clip without the preview: frames that it takes away are still meant.
@@ -179,7 +181,12 @@ void OperationForm::take(ViewContext& context) {
   changed_ = false;
   notes_.clear();
   refusal_.clear();
-  if (gesture_ == 0) gesture_ = context.widgets.new_gesture();
+  const Document& document = context.session.document;
+  if (KeyJob::is_for(*operation_, values_, target_, document.motion().frame_count())) {
+    cancel_step(context.session);
+    job_.start(*operation_, values_, target_, document.revision());
+    return;
+  }
   OperationTarget target = target_;
   target.blend_in_frames = blend_in_;
   target.blend_out_frames = blend_out_;
@@ -193,6 +200,11 @@ void OperationForm::take(ViewContext& context) {
     notes_ = std::move(outcome->notes);
     return std::move(outcome->edit);
   };
+  apply_step(context, make_edit);
+}
+
+void OperationForm::apply_step(ViewContext& context, const History::MakeEdit& make_edit) {
+  if (gesture_ == 0) gesture_ = context.widgets.new_gesture();
   const Status status = with_memory_for("this change", [&] { return context.session.apply_gesture(gesture_, make_edit); });
   if (!status) refusal_ = status.error().message;
   has_step_ = context.session.document.history().is_in_gesture(gesture_);
@@ -200,6 +212,7 @@ void OperationForm::take(ViewContext& context) {
 }
 
 void OperationForm::cancel_step(Session& session) {
+  job_.stop();
   if (has_step_) session.cancel_gesture(gesture_);
   has_step_ = false;
 }
@@ -211,7 +224,8 @@ void OperationForm::cancel(Session& session) {
 
 OperationForm::Answer OperationForm::apply(ViewContext& context) {
   if (!has_step_ || changed_) take(context);
-  if (!refusal_.empty()) return Answer::Open;
+  applies_when_done_ = job_.is_running();
+  if (!refusal_.empty() || job_.is_running()) return Answer::Open;
   report_.assign(1, has_step_ ? std::string(context.session.document.history().undo_name()) + "."
                               : fmt::format("{} changed nothing.", operation_->label));
   report_.insert(report_.end(), notes_.begin(), notes_.end());
@@ -226,7 +240,7 @@ void OperationForm::draw_outcome(ViewContext& context) {
   }
   for (const std::string& note : notes_) wrapped_text(note, context.theme.dim_text);
   if (!notes_.empty()) context.items.add_last("operation.note", notes_.front());
-  if (refusal_.empty() && previews_ && !has_step_ && !changed_) wrapped_text("Nothing changes.", context.theme.dim_text);
+  if (refusal_.empty() && previews_ && !has_step_ && !changed_ && !job_.is_running()) wrapped_text("Nothing changes.", context.theme.dim_text);
   ImGui::Dummy({0.0f, 8.0f});
 }
 
@@ -251,6 +265,34 @@ OperationForm::Answer OperationForm::draw_buttons(ViewContext& context) {
   return answer;
 }
 
+// A part of the job in each frame; what is done so far can be thrown away at any time.
+OperationForm::Answer OperationForm::draw_job(ViewContext& context) {
+  if (job_.revision() != context.session.document.revision()) take(context);
+  const bool done = job_.advance(context.session.document.clip());
+  context.redraw = true;
+  ImGui::SetCursorPosX(inspector::kPadding);
+  if (ui::text_button(context, "operation.cancel", "Cancel", "Stops, and leaves the clip as it is.") ||
+      ImGui::IsKeyPressed(ImGuiKey_Escape)) {
+    cancel(context.session);
+    return Answer::Cancelled;
+  }
+  ImGui::SameLine(0.0f, 8.0f);
+  const SmallText text("Channel {} of {}", job_.done(), job_.all());
+  const float width = ImGui::GetContentRegionAvail().x - inspector::kPadding;
+  ImGui::ProgressBar(static_cast<float>(job_.done()) / static_cast<float>(std::max(job_.all(), 1)),
+                     {width, ImGui::GetFrameHeight()}, text.c_str());
+  context.items.add_last("operation.progress", text);
+  if (!done) return Answer::Open;
+  notes_.assign(1, describe_keys(context.session.document.clip(), job_.curves()));
+  apply_step(context, [&](const Clip& clip) {
+    Result<Edit> edit = make_keys_edit(clip, std::string(operation_->label), kOwnKeys, job_.curves());
+    if (edit) return std::move(*edit);
+    refusal_ = edit.error().message;
+    return Edit{};
+  });
+  return applies_when_done_ && has_step_ ? apply(context) : Answer::Open;
+}
+
 OperationForm::Answer OperationForm::draw(ViewContext& context) {
   follow_clip(context);
   const float buttons = ImGui::GetFrameHeight() + 2.0f * kButtonGap;
@@ -266,7 +308,7 @@ OperationForm::Answer OperationForm::draw(ViewContext& context) {
   draw_outcome(context);
   ImGui::EndChild();
   ImGui::Dummy({0.0f, kButtonGap});
-  return draw_buttons(context);
+  return job_.is_running() ? draw_job(context) : draw_buttons(context);
 }
 
 }  // namespace marey::app

@@ -6,6 +6,7 @@
 
 #include "core/editing/operation.h"
 #include "wasm/app/view_context.h"
+#include "wasm/views/operations/key_job.h"
 #include "wasm/views/operations/operation_target_choice.h"
 
 namespace marey::app {
@@ -29,7 +30,10 @@ class OperationForm {
   /// Takes the preview back and closes the form.
   void cancel(Session& session);
   /// Closes the form and leaves the clip alone, as it is another one.
-  void forget() { operation_ = nullptr; }
+  void forget() {
+    operation_ = nullptr;
+    job_.stop();
+  }
   /// "Smooth 3 channels" and what there is to say of it, of the form last applied.
   [[nodiscard]] const std::vector<std::string>& report() const { return report_; }
 
@@ -43,6 +47,8 @@ class OperationForm {
   void draw_outcome(ViewContext& context);
   Answer draw_buttons(ViewContext& context);
   void take(ViewContext& context);
+  void apply_step(ViewContext& context, const History::MakeEdit& make_edit);
+  Answer draw_job(ViewContext& context);
   Answer apply(ViewContext& context);
   void cancel_step(Session& session);
 
@@ -56,6 +62,8 @@ class OperationForm {
   bool previews_ = true;
   bool changed_ = false;  // since the preview was made
   bool has_step_ = false;
+  bool applies_when_done_ = false;
+  KeyJob job_;
   GestureId gesture_ = 0;
   std::uint64_t sample_serial_ = 0;
   std::vector<std::string> notes_;
