@@ -147,6 +147,21 @@ TEST_F(OperationsPageTest, TheFilterExplorerLooksAtTheCurve) {
   for (const char* plot : {"explorer.plot.0", "explorer.plot.1", "explorer.plot.2", "explorer.plot.3"}) {
     EXPECT_TRUE(stage_.shows(plot)) << plot;
   }
+  EXPECT_NE(stage_.item("explorer.change").label.find("Grey is before"), std::string::npos);
+  // While the value is dragged too, which is a gesture of its own.
+  const UiItem field = stage_.item("operation.value.cutoff");
+  ImGuiStage::move_mouse({field.min.x + 40.0f, 0.5f * (field.min.y + field.max.y)});
+  stage_.settle();
+  ImGuiStage::press_mouse(true);
+  stage_.frame();
+  for (int i = 1; i <= 6; ++i) {
+    ImGuiStage::move_mouse({field.min.x + 40.0f - 3.0f * static_cast<float>(i), 0.5f * (field.min.y + field.max.y)});
+    stage_.frame();
+  }
+  stage_.frame();
+  EXPECT_NE(stage_.item("explorer.change").label.find("Grey is before"), std::string::npos);
+  ImGuiStage::press_mouse(false);
+  stage_.settle();
   stage_.app().run_command("view.rotation_orders", nullptr);
   stage_.settle();
   EXPECT_TRUE(stage_.shows("orders.plot.5"));

@@ -76,7 +76,7 @@ FilterExplorer::State FilterExplorer::look_at(std::vector<double> curve, double 
   return state;
 }
 
-void FilterExplorer::follow(const ViewContext& context) {
+void FilterExplorer::follow(const ViewContext& context, bool is_previewed) {
   const Document& document = context.session.document;
   const bool same = known_ && clip_serial_ == context.clip_serial && revision_ == document.revision();
   if (same) return;
@@ -87,8 +87,7 @@ void FilterExplorer::follow(const ViewContext& context) {
   const int length = std::min(count, kMostFrames);
   frames_ = {std::clamp(context.session.playback.frame() - length / 2, 0, count - length), length};
   const double rate_hz = 1.0 / document.motion().frame_time_s();
-  const bool in_gesture = document.history().is_in_gesture(context.widgets.last_gesture);
-  std::vector<double> former = part_of(samples_before_step(document, channel_, in_gesture), frames_);
+  std::vector<double> former = part_of(samples_before_step(document, channel_, is_previewed), frames_);
   if (former != before_.curve) {
     residuals_ = analyse_residuals(former, rate_hz);
     cutoffs_.clear();
@@ -100,6 +99,7 @@ void FilterExplorer::follow(const ViewContext& context) {
     before_ = look_at(std::move(former), rate_hz);
   }
   after_ = look_at(part_of(samples_before_step(document, channel_, false), frames_), rate_hz);
+  change_ = find_deviation(before_.curve, after_.curve);
   differs_ = after_.curve != before_.curve;
   seconds_.clear();
   for (int i = 0; i < frames_.count; ++i) seconds_.push_back((frames_.first + i) * document.motion().frame_time_s());
@@ -140,16 +140,25 @@ void FilterExplorer::draw_plots(ViewContext& context, const OperationForm& form,
   }
 }
 
+void FilterExplorer::draw_advice(ViewContext& context, bool is_open, float right) const {
+  const char* unit = is_rotation(context.session.document.skeleton().channel(channel_).kind) ? "°" : " units";
+  const SmallText text = !is_open   ? SmallText("Open a filter under Edit to see what it does.")
+                         : differs_ ? SmallText("Grey is before, coloured after: RMS {:.3g}{}, at most {:.3g}{} at frame {}.", change_.rms,
+                                                unit, change_.largest, unit, frames_.first + change_.at + 1)
+                                    : SmallText("Nothing changes in this curve.");
+  const float room = right - ImGui::GetCursorScreenPos().x - 12.0f - 3.0f * (ImGui::GetFrameHeight() + 2.0f);
+  ui::elided_text(context, text, std::max(room, 1.0f), context.theme.dim_text);
+  context.items.add_last("explorer.change", text);
+}
+
 void FilterExplorer::draw(ViewContext& context, const OperationForm& form, const std::vector<ChannelIndex>& shown, ImVec2 min,
                           ImVec2 max) {
   ImGui::SetCursorScreenPos({min.x + 8.0f, min.y + 4.0f});
   choose_channel(context, form, shown);
   ImGui::SameLine(0.0f, 12.0f);
   ImGui::AlignTextToFramePadding();
-  const char* advice = form.is_open() ? "Grey is before, coloured after." : "Open a filter under Edit to see what it does.";
-  const float room = max.x - ImGui::GetCursorScreenPos().x - 12.0f - 3.0f * (ImGui::GetFrameHeight() + 2.0f);
-  if (ImGui::CalcTextSize(advice).x <= room) ui::dim_text(context, advice);
-  follow(context);
+  follow(context, form.is_previewed());
+  draw_advice(context, form.is_open(), max.x);
   draw_plots(context, form, {min.x + 4.0f, min.y + ImGui::GetFrameHeight() + 12.0f}, max);
 }
 

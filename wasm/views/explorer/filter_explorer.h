@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/motion/curve_deviation.h"
 #include "core/signal/residual_analysis.h"
 #include "core/signal/spectrum.h"
 #include "wasm/app/view_context.h"
@@ -27,7 +28,8 @@ class FilterExplorer {
     std::vector<double> hertz;
   };
   void choose_channel(ViewContext& context, const OperationForm& form, const std::vector<ChannelIndex>& shown);
-  void follow(const ViewContext& context);
+  void follow(const ViewContext& context, bool is_previewed);
+  void draw_advice(ViewContext& context, bool is_open, float right) const;
   [[nodiscard]] static State look_at(std::vector<double> curve, double rate_hz);
   void draw_plots(ViewContext& context, const OperationForm& form, ImVec2 min, ImVec2 max) const;
 
@@ -38,6 +40,7 @@ class FilterExplorer {
   bool known_ = false;
   State before_;
   State after_;
+  CurveDeviation change_;  ///< from before to after
   bool differs_ = false;
   std::vector<double> seconds_;
   ResidualAnalysis residuals_;
