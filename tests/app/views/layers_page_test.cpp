@@ -118,6 +118,34 @@ TEST_F(LayersPageTest, WeightScalesALayer) {
   EXPECT_NEAR(clip().motion.sample(0, 5), 0.5 * (original + 2.0), 1e-12);
 }
 
+TEST_F(LayersPageTest, TheRotationIsShownAsQuaternionAndVectorToo) {
+  stage_.app().run_command("edit.operation", {{"do", "hold joints=Arms"}});
+  stage_.app().run_command("edit.operation", {{"do", "scale joints=Arms channels=Zrotation factor=0 pivot=value value=60"}});
+  stage_.resize({1280.0f, 1200.0f, 1.0f});
+  click("inspector.tab.joint");
+  EXPECT_EQ(stage_.item("inspector.quaternion").label, "0.866 0.000 0.000 0.500");
+  EXPECT_EQ(stage_.item("inspector.rotation_vector").label, "0.00° 0.00° 60.00°");
+}
+
+TEST_F(LayersPageTest, TheWeightCanBeACurveAndLayersChangePlaces) {
+  click("layer.add@layers");
+  click("layer.add@layers");
+  go_to(10);
+  click("layers.weight_key");
+  stage_.double_click("layers.weight");
+  stage_.type("0");
+  stage_.press(ImGuiKey_Enter);
+  stage_.settle();
+  const Layer& layer = clip().stack.layers[1];
+  ASSERT_TRUE(layer.weight);
+  EXPECT_EQ(KeyEvaluator(*layer.weight).value_at(0.0), 1.0);
+  EXPECT_EQ(KeyEvaluator(*layer.weight).value_at(10.0), 0.0);
+  EXPECT_FALSE(stage_.app().run_command("layer.down", nullptr).contains("error"));
+  EXPECT_EQ(stage_.app().session().active_layer, 0);
+  EXPECT_EQ(clip().stack.layers[0].name, "Layer 2");
+  EXPECT_TRUE(stage_.app().run_command("layer.down", nullptr).contains("error"));
+}
+
 TEST_F(LayersPageTest, DeletingALayerAndUndoingFollowTheActiveOne) {
   click("layer.add@layers");
   click("layer.add@layers");

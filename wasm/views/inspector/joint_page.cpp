@@ -1,10 +1,13 @@
 #include "wasm/views/inspector/joint_page.h"
 
+#include <cmath>
 #include <string>
 
 #include "core/editing/clip_operations.h"
 #include "core/editing/curve_operations.h"
 #include "core/editing/key_edits.h"
+#include "core/math/angle.h"
+#include "core/motion/sampling.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/number_edit.h"
 #include "wasm/views/inspector/property_row.h"
@@ -69,6 +72,21 @@ void JointPage::draw_channels(ViewContext& context, JointIndex joint) {
   if (skeleton.channel_count(joint) == 0) inspector::text_row(context, "Channels", "none");
 }
 
+// The same rotation as a unit quaternion and as axis times angle, relative to the parent.
+void JointPage::draw_rotation(ViewContext& context, JointIndex joint) {
+  const Document& document = context.session.document;
+  const FrameBlend at = find_frame_blend(document.motion().frame_count(), context.session.playback.position());
+  glm::dquat q = joint_rotation(document.skeleton(), document.motion(), joint, at);
+  if (q.w < 0.0) q = -q;
+  const double half_sine = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z);
+  const double degrees = half_sine > 0.0 ? 2.0 * to_degrees(std::atan2(half_sine, q.w)) / half_sine : 2.0 * kDegreesPerRadian;
+  inspector::heading(context, "Rotation");
+  inspector::known_text_row(context, "inspector.quaternion", "w x y z",
+                             SmallText("{:.3f} {:.3f} {:.3f} {:.3f}", q.w, q.x, q.y, q.z), true);
+  inspector::known_text_row(context, "inspector.rotation_vector", "Vector",
+                             SmallText("{:.2f}° {:.2f}° {:.2f}°", degrees * q.x, degrees * q.y, degrees * q.z), true);
+}
+
 void JointPage::draw_world_position(ViewContext& context, JointIndex joint) {
   const Document& document = context.session.document;
   const Skeleton& skeleton = document.skeleton();
@@ -108,6 +126,7 @@ void JointPage::draw(ViewContext& context) {
   inspector::text_row(context, "Rotation order", order.empty() ? std::string_view("none") : order);
   if (context.session.document.motion().frame_count() > 0) {
     draw_channels(context, joint);
+    draw_rotation(context, joint);
     draw_world_position(context, joint);
   }
   inspector::heading(context, "Offset");

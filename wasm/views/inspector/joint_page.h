@@ -16,6 +16,7 @@ class JointPage {
  private:
   void draw_offset(ViewContext& context, NodeIndex node);
   void draw_channels(ViewContext& context, JointIndex joint);
+  void draw_rotation(ViewContext& context, JointIndex joint);
   void draw_world_position(ViewContext& context, JointIndex joint);
   void draw_end_sites(ViewContext& context, JointIndex joint);
 

@@ -56,10 +56,11 @@ void text_row(ViewContext& context, std::string_view label, std::string_view val
   ImGui::Dummy({0.0f, 0.0f});
 }
 
-void known_text_row(ViewContext& context, std::string_view id, std::string_view label, std::string_view value) {
+void known_text_row(ViewContext& context, std::string_view id, std::string_view label, std::string_view value,
+                    bool number) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  text_row(context, label, value);
+  text_row(context, label, value, number);
   context.items.add(id, value, min, {min.x + width, min.y + kRowHeight});
 }
 

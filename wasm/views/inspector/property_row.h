@@ -23,6 +23,7 @@ void end_row();
 void text_row(ViewContext& context, std::string_view label, std::string_view value, bool number = false);
 
 /// The same, recorded in UiItems with its value.
-void known_text_row(ViewContext& context, std::string_view id, std::string_view label, std::string_view value);
+void known_text_row(ViewContext& context, std::string_view id, std::string_view label, std::string_view value,
+                    bool number = false);
 
 }  // namespace marey::app::inspector

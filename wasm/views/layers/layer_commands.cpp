@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "core/base/counted.h"
 #include "core/editing/key_edits.h"
@@ -64,6 +65,24 @@ Json delete_layer(Session& session) {
   LayerStack stack = session.document.clip().stack;
   stack.layers.erase(stack.layers.begin() + session.active_layer);
   return said(session.apply(make_stack_edit(session.document.clip(), "Delete layer", std::move(stack))));
+}
+
+// One place up or down; the active layer moves along.
+Json move_layer(Session& session, int by) {
+  LayerStack stack = session.document.clip().stack;
+  const int to = session.active_layer + by;
+  std::swap(stack.layers[idx(session.active_layer)], stack.layers[idx(to)]);
+  const Status status = session.apply(make_stack_edit(session.document.clip(), "Move layer", std::move(stack)));
+  if (status) session.active_layer = to;
+  return said(status);
+}
+
+Reason without_place(const Session& session, int by) {
+  const Reason reason = without_layer(session);
+  if (*reason != '\0') return reason;
+  const int to = session.active_layer + by;
+  if (to < 0) return "The layer is the lowest.";
+  return to >= size_of(session.document.clip().stack.layers) ? "The layer is the highest." : "";
 }
 
 Json choose_layer(Session& session, const Json& args) {
@@ -134,6 +153,18 @@ void add_layer_commands(CommandRegistry& registry, Session& session) {
                 .icon = icons::kTrash2,
                 .run = [&session](const Json&) { return delete_layer(session); },
                 .blocked = [&session] { return without_layer(session); }});
+  registry.add({.id = "layer.up",
+                .label = "Layer up",
+                .help = "Puts the active layer above the next one.",
+                .icon = icons::kArrowUp,
+                .run = [&session](const Json&) { return move_layer(session, 1); },
+                .blocked = [&session] { return without_place(session, 1); }});
+  registry.add({.id = "layer.down",
+                .label = "Layer down",
+                .help = "Puts the active layer below the next one.",
+                .icon = icons::kArrowDown,
+                .run = [&session](const Json&) { return move_layer(session, -1); },
+                .blocked = [&session] { return without_place(session, -1); }});
   registry.add({.id = "layer.bake",
                 .label = "Bake layers and keys",
                 .help = "Keeps the samples as they are and lets layers and keys go.",

@@ -34,6 +34,20 @@ double weight_at(const Layer& layer, double frame) {
   return layer.weight ? std::clamp(KeyEvaluator(*layer.weight).value_at(frame), 0.0, 1.0) : 1.0;
 }
 
+// The first key of a curve takes the constant weight along, at the first frame.
+void key_weight(ViewContext& context, int layer, double frame, double weight) {
+  if (layer_of(context, layer).locked) {
+    context.status = "The layer is locked. Unlock it to change its weight.";
+    return;
+  }
+  change_layer(context, "Key the weight", layer, [&](Layer& l) {
+    KeyCurve curve = l.weight ? *l.weight : KeyCurve{};
+    if (curve.keys.empty()) set_key(curve, 0.0, weight);
+    set_key(curve, frame, weight);
+    l.weight = std::make_shared<const KeyCurve>(std::move(curve));
+  });
+}
+
 // A row that can be chosen, with room for buttons at its right end, where the cursor is left.
 bool choice_row(ViewContext& context, const char* id, std::string_view label, bool active, float buttons) {
   const ImVec2 min = ImGui::GetCursorScreenPos();
@@ -107,13 +121,14 @@ void LayersPage::draw_name(ViewContext& context, int layer) {
   inspector::end_row();
 }
 
-// With keys the weight is a curve, and the field sets one at the frame.
+// With keys the weight is a curve, and the field sets one at the frame. The button begins one.
 void LayersPage::draw_weight(ViewContext& context, int layer) {
   const Layer& shown = layer_of(context, layer);
   const double frame = context.session.playback.position();
   const bool is_curve = shown.weight && shown.weight->keys.size() > 1;
-  const float width = inspector::begin_row(context, is_curve ? "Weight here" : "Weight");
-  const auto result = ui::number_field(context, "layers.weight", "Weight", 100.0 * weight_at(shown, frame),
+  const double weight = weight_at(shown, frame);
+  const float width = inspector::begin_row(context, is_curve ? "Weight here" : "Weight") - ImGui::GetFrameHeight() - 4.0f;
+  const auto result = ui::number_field(context, "layers.weight", "Weight", 100.0 * weight,
                                        {.unit = "%", .decimals = 0, .step = 0.5, .low = 0.0, .high = 100.0, .width = width});
   apply_number(context, result, [&](const Clip& clip) {
     LayerStack stack = clip.stack;
@@ -124,6 +139,10 @@ void LayersPage::draw_weight(ViewContext& context, int layer) {
     changed.weight = std::make_shared<const KeyCurve>(std::move(curve));
     return make_stack_edit(clip, "Weight of a layer", std::move(stack));
   });
+  ImGui::SameLine(0.0f, 4.0f);
+  if (ui::icon_button(context, "layers.weight_key", icons::kDiamondPlus, "Key the weight: it has this value at this frame.")) {
+    key_weight(context, layer, frame, weight);
+  }
   inspector::end_row();
 }
 
@@ -202,9 +221,11 @@ void LayersPage::draw(ViewContext& context) {
   ImGui::SetCursorPosX(inspector::kPadding);
   ui::command_button(context, "layer.add", ui::ButtonLook::Raised, true, "@layers");
   ImGui::SameLine(0.0f, 8.0f);
-  ui::command_button(context, "layer.delete", ui::ButtonLook::Plain, false, "@layers");
-  ImGui::SameLine(0.0f, 4.0f);
-  ui::command_button(context, "layer.bake", ui::ButtonLook::Plain, false, "@layers");
+  for (const char* command : {"layer.up", "layer.down", "layer.delete", "layer.bake"}) {
+    ui::command_button(context, command, ui::ButtonLook::Plain, false, "@layers");
+    ImGui::SameLine(0.0f, 2.0f);
+  }
+  ImGui::NewLine();
   ImGui::Dummy({0.0f, 8.0f});
   for (int layer = size_of(context.session.document.clip().stack.layers) - 1; layer >= 0; --layer) draw_layer(context, layer);
   draw_base(context);
