@@ -32,7 +32,7 @@ async function openForm(marey, page, id, label) {
 }
 
 test("each operation is found, previewed, applied and undone", async ({ marey, page }) => {
-  test.setTimeout(300_000);
+  test.setTimeout(900_000);
   const text = await marey.save();
   const commands = await page.evaluate(() => window.marey.commands());
   const forms = commands.filter(({ id }) => id.startsWith("operation."));
