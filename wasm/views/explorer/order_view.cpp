@@ -54,7 +54,8 @@ void OrderView::follow(const ViewContext& context, JointIndex joint) {
       if (std::abs(std::remainder(angles.y - 90.0, 180.0)) > kNearLockDeg) continue;
       ++order.locked_frames;
       const bool goes_on = !order.locked.empty() && order.locked.back().end() == i;
-      goes_on ? static_cast<void>(++order.locked.back().count) : order.locked.push_back({i, 1});
+      if (!goes_on) order.locked.push_back({i, 0});
+      ++order.locked.back().count;
     }
   }
 }

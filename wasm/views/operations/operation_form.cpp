@@ -140,7 +140,11 @@ void OperationForm::draw_parameter(ViewContext& context, const OperationParamete
   }
   const bool is_number = parameter.kind == ParameterKind::Number || parameter.kind == ParameterKind::Whole ||
                          parameter.kind == ParameterKind::Frame;
-  is_number ? draw_number(context, parameter, values_.numbers[place]) : draw_choice(context, parameter, values_.numbers[place]);
+  if (is_number) {
+    draw_number(context, parameter, values_.numbers[place]);
+  } else {
+    draw_choice(context, parameter, values_.numbers[place]);
+  }
 }
 
 void OperationForm::draw_parameters(ViewContext& context) {

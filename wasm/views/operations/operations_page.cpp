@@ -75,7 +75,11 @@ void OperationsPage::draw(ViewContext& context) {
     ui::dim_text(context, "The file is still being read.");
     return;
   }
-  form_.is_open() ? static_cast<void>(form_.draw(context)) : draw_list(context);
+  if (form_.is_open()) {
+    (void)form_.draw(context);
+  } else {
+    draw_list(context);
+  }
 }
 
 }  // namespace marey::app
