@@ -151,12 +151,14 @@ void RowWriter::write_gap(std::string_view gap) {
   }
 }
 
-/// Text behind the motion can be taken for rows or for a header when rows or header were repaired.
-bool reads_back_as(const Motion& motion, const std::string& text) {
+/// Text behind the motion can be taken for rows or for a header when rows or header were repaired; for a header above all
+/// where no row stands between the two.
+bool reads_back_as(const Motion& motion, std::string_view tail, const std::string& text) {
   ReadOptions options;
   options.limits.max_frames = std::numeric_limits<int>::max();
   if (!kAddressesAre32Bit) options.limits.max_sample_bytes = std::numeric_limits<std::int64_t>::max();
   const Result<BvhClip> again = read_bvh(text, options);
+  if (again && motion.frame_count() == 0 && !std::string_view(again->style.motion.tail).ends_with(tail)) return false;
   return again && same_bits(again->motion.frame_time_s(), motion.frame_time_s()) &&
          again->motion.frame_count() == motion.frame_count() &&
          std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
@@ -185,14 +187,14 @@ std::string print(const Skeleton& skeleton, const Motion& motion, const BvhStyle
 std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {
   MotionStyle rows = fitted_style(motion, style);
   std::string out = print(skeleton, motion, style, rows);
-  if (has_commas(rows) && !reads_back_as(motion, out + style.header.line_end)) {
+  if (has_commas(rows) && !reads_back_as(motion, {}, out + style.header.line_end)) {
     give_each_frame_a_line(rows, style.header.line_end);
     out = print(skeleton, motion, style, rows);
   }
   const std::size_t end = out.size();
   out += style.motion.tail;
   const bool only_blanks = style.motion.tail.find_first_not_of(" \t\r\n") == std::string::npos;
-  if (!only_blanks && !reads_back_as(motion, out)) out.replace(end, std::string::npos, style.header.line_end);
+  if (!only_blanks && !reads_back_as(motion, style.motion.tail, out)) out.replace(end, std::string::npos, style.header.line_end);
   return style.encoding == TextEncoding::Bytes ? out : encoded_as_utf16(out, style.encoding);
 }
 
