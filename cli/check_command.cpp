@@ -10,6 +10,7 @@
 #include "cli/lint_report.h"
 #include "cli/report.h"
 #include "core/base/counted.h"
+#include "core/document/document.h"
 
 namespace marey::cli {
 namespace {

@@ -8,7 +8,6 @@
 #include "cli/export_json.h"
 #include "cli/files.h"
 #include "cli/frame_selection.h"
-#include "cli/lint_report.h"
 #include "cli/report.h"
 #include "cli/table_input.h"
 #include "cli/table_output.h"
@@ -16,6 +15,7 @@
 #include "core/base/number_text.h"
 #include "core/bvh/save_options.h"
 #include "core/bvh/writer.h"
+#include "core/document/document.h"
 #include "core/interchange/export.h"
 #include "core/motion/resampling.h"
 

@@ -7,7 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/files.h"
-#include "cli/lint_report.h"
 #include "cli/operation_text.h"
 #include "cli/recipe_json.h"
 #include "cli/report.h"
@@ -62,8 +61,8 @@ std::optional<Clip> read_other(const EditOptions& options, const BoundStep& step
   if (step.other_file.empty()) return std::nullopt;
   Input input = options.input;
   input.file = step.other_file;
-  const std::optional<BvhClip> read = read_clip_for_use(input);
-  return read ? std::optional(make_clip(*read)) : std::nullopt;
+  std::optional<BvhClip> read = read_clip_for_use(input);
+  return read ? std::optional(make_clip(std::move(*read))) : std::nullopt;
 }
 
 /// Takes one step; nothing if it cannot be taken, which has been reported.

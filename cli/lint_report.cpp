@@ -7,8 +7,6 @@
 
 #include "cli/report.h"
 #include "core/base/counted.h"
-#include "core/document/document.h"
-#include "core/kinematics/clip_bounds.h"
 
 namespace marey::cli {
 namespace {
@@ -42,15 +40,6 @@ std::string sentences_of(const Finding& finding) {
 }
 
 }  // namespace
-
-Clip make_clip(const BvhClip& clip) {
-  return {clip.skeleton,
-          clip.motion,
-          {.position_rule = clip.position_rule,
-           .up_axis = find_up_axis(clip.skeleton, clip.motion, clip.position_rule),
-           .metres_per_unit = guess_metres_per_unit(clip.skeleton),
-           .names_in = clip.names_in}};
-}
 
 void report_check(const std::string& file, const Diagnostics& diagnostics, const LintReport& lint) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {

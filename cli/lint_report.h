@@ -8,9 +8,6 @@
 
 namespace marey::cli {
 
-/// The clip of a file with the settings that are guessed for it.
-[[nodiscard]] Clip make_clip(const BvhClip& clip);
-
 /// What the reader and the linter found, as lines on standard error: "walk.bvh: note: <what> <what to do> <who stumbles>".
 /// Where both noted the same, it is one line with the reader's place.
 void report_check(const std::string& file, const Diagnostics& diagnostics, const LintReport& lint);

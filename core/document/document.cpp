@@ -52,13 +52,16 @@ std::vector<FrameIndex> places_in(const std::vector<FrameIndex>& frames, const s
 
 }  // namespace
 
+Clip make_clip(BvhClip clip) {
+  const ClipSettings settings = guess_settings(clip);
+  return {std::move(clip.skeleton), std::move(clip.motion), settings};
+}
+
 Document::Document(BvhClip clip, std::string file_name) : file_name_(std::move(file_name)) {
-  clip_.settings = guess_settings(clip);
-  clip_.skeleton = std::move(clip.skeleton);
-  clip_.motion = std::move(clip.motion);
   style_ = std::move(clip.style);
   diagnostics_ = std::move(clip.diagnostics);
   declared_frames_ = clip.declared_frames;
+  clip_ = make_clip(std::move(clip));
 }
 
 const Diagnostics& Document::diagnostics() const {

@@ -99,4 +99,7 @@ struct LengthUnit {
 /// (0.0254 / 0.45 m = 5.644 cm), whichever brings the stature nearest to 1.7 m as a ratio. 1 cm without a stature.
 [[nodiscard]] double guess_metres_per_unit(const Skeleton& skeleton);
 
+/// The clip of a file with the settings that are guessed for it.
+[[nodiscard]] Clip make_clip(BvhClip clip);
+
 }  // namespace marey

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,12 @@
 
 namespace marey {
 
+/// A clip beside the open one, for operations that take another.
+struct OtherClip {
+  std::string file_name;
+  Clip clip;
+};
+
 /// An open clip with what the user has selected and where they look. Edits go through here rather than through
 /// `document`, so that playback follows the clip.
 struct Session {
@@ -21,6 +28,8 @@ struct Session {
 
   /// The layer that keys are set on; kOwnKeys for the keys of the channels themselves. Always one that the clip has.
   int active_layer = kOwnKeys;
+
+  std::shared_ptr<const OtherClip> other;  ///< null: none was read
 
   /// More of the file is still to come: every edit is refused.
   bool is_partial = false;

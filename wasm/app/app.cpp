@@ -69,9 +69,9 @@ Status App::open_file(std::string file_name, std::string_view bytes) {
   return finish_loading();
 }
 
-Status App::begin_loading(std::string file_name, std::int64_t size) {
+Status App::begin_loading(std::string file_name, std::int64_t size, FileUse use) {
   parts_->settling_frames = kFramesToSettle;
-  return app::begin_loading(parts_->workspace, std::move(file_name), size);
+  return app::begin_loading(parts_->workspace, std::move(file_name), size, use);
 }
 
 bool App::feed_loading(std::string_view bytes) { return app::feed_loading(parts_->workspace, bytes); }

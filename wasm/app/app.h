@@ -39,7 +39,7 @@ class App {
   /// the page.
   Status open_file(std::string file_name, std::string_view bytes);
   /// The same by pieces; see wasm/app/opening.h.
-  Status begin_loading(std::string file_name, std::int64_t size);
+  Status begin_loading(std::string file_name, std::int64_t size, FileUse use = FileUse::Document);
   bool feed_loading(std::string_view bytes);
   Status finish_loading();
   void cancel_loading();

@@ -108,6 +108,7 @@ void add_layers(json& state, const Session& session) {
                       {"keys", count_keys(layer.curves)}});
   }
   state["layers"] = std::move(layers);
+  state["otherFile"] = session.other ? json(ui::displayable(session.other->file_name)) : json();
   state["activeLayer"] = session.active_layer + 1;
   state["keyedChannels"] = stack.keyed.size();
   state["ownKeys"] = count_keys(stack.keyed);

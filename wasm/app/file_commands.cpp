@@ -66,6 +66,15 @@ void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
                   workspace.backend.ask_for_file();
                   return nullptr;
                 }});
+  registry.add({.id = "file.open_other",
+                .label = "Choose another clip…",
+                .help = "Reads a clip that operations can join to the open one.",
+                .icon = icons::kFolderOpen,
+                .run = [&workspace](const json&) -> json {
+                  workspace.backend.ask_for_file(FileUse::OtherClip);
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
   registry.add(make_stop_command(workspace));
   add_save_commands(registry, workspace);
   registry.add({.id = "file.previous",

@@ -13,7 +13,8 @@ constexpr std::int64_t kMostShownSamples = std::int64_t{4} << 20;
 
 }  // namespace
 
-FileLoading::FileLoading(std::string file_name, std::int64_t size) : file_name_(std::move(file_name)), size_(size) {
+FileLoading::FileLoading(std::string file_name, std::int64_t size, FileUse use)
+    : file_name_(std::move(file_name)), size_(size), use_(use) {
   StreamOptions options;
   options.expected_bytes = size;
   if (!is_table(file_name_)) reader_.emplace(ReadOptions{}, options);

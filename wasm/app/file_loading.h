@@ -11,6 +11,7 @@
 #include "core/bvh/bvh_clip.h"
 #include "core/bvh/stream_reader.h"
 #include "core/document/document.h"
+#include "wasm/app/file_use.h"
 
 namespace marey::app {
 
@@ -18,7 +19,7 @@ namespace marey::app {
 class FileLoading {
  public:
   /// `size`: bytes of the file, 0 if nobody knows.
-  FileLoading(std::string file_name, std::int64_t size);
+  FileLoading(std::string file_name, std::int64_t size, FileUse use);
 
   /// False once the file cannot be read; finish() says why.
   bool feed(std::string_view bytes);
@@ -33,6 +34,7 @@ class FileLoading {
   [[nodiscard]] std::optional<BvhClip> take_news();
 
   [[nodiscard]] const std::string& file_name() const { return file_name_; }
+  [[nodiscard]] FileUse use() const { return use_; }
   [[nodiscard]] std::int64_t size() const { return size_; }
   [[nodiscard]] std::int64_t fed_bytes() const { return fed_bytes_; }
   /// A file that takes no longer is shown when it is there, without a word before.
@@ -43,6 +45,7 @@ class FileLoading {
  private:
   std::string file_name_;
   std::int64_t size_;
+  FileUse use_;
   std::int64_t fed_bytes_ = 0;
   std::int64_t shown_frames_ = 0;
   std::optional<StreamReader> reader_;  ///< none for a table

@@ -25,13 +25,16 @@ Message kept_message(const Document& kept) {
           "They are kept until the next file is opened.", "file.previous"};
 }
 
+std::string described(const std::string& file_name, const Skeleton& skeleton, const Motion& motion) {
+  return fmt::format("{}: {}, {}", ui::displayable(file_name), counted(skeleton.joint_count(), "joint"),
+                     counted(motion.frame_count(), "frame"));
+}
+
 std::string opened_text(const Session& session) {
   const Document& document = session.document;
   const Diagnostics& found = document.diagnostics();
   const int problems = found.count(Severity::Warning) + found.count(Severity::Error);
-  std::string text = fmt::format("Opened {}: {}, {}", ui::displayable(document.file_name()),
-                                 counted(document.skeleton().joint_count(), "joint"),
-                                 counted(document.motion().frame_count(), "frame"));
+  std::string text = "Opened " + described(document.file_name(), document.skeleton(), document.motion());
   if (problems > 0) text += ", " + counted(problems, "problem");
   return text + ".";
 }
@@ -75,11 +78,23 @@ void open_clip(Workspace& workspace, BvhClip clip) {
   workspace.notify(std::move(notice));
 }
 
+void put_beside(Workspace& workspace, BvhClip clip) {
+  const std::unique_ptr<FileLoading> loading = std::move(workspace.loading);
+  auto other = std::make_shared<const OtherClip>(OtherClip{loading->file_name(), make_clip(std::move(clip))});
+  std::string notice = "Read " + described(other->file_name, other->clip.skeleton, other->clip.motion) + ".";
+  workspace.session.other = std::move(other);
+  workspace.notify(std::move(notice));
+}
+
 Status finish_and_open(Workspace& workspace) {
   const Document& whole = workspace.whole_document();
   Result<BvhClip> clip = workspace.loading->finish(whole.skeleton().joint_count() > 0 ? &whole : nullptr);
   if (!clip) return clip.error();
-  open_clip(workspace, std::move(clip.value()));
+  if (workspace.loading->use() == FileUse::OtherClip) {
+    put_beside(workspace, std::move(*clip));
+  } else {
+    open_clip(workspace, std::move(*clip));
+  }
   return {};
 }
 
@@ -98,10 +113,13 @@ void show_news(Workspace& workspace) {
 
 }  // namespace
 
-Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size) {
+Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size, FileUse use) {
   workspace.cancel_loading();
   Status begun = with_memory_for(reading(file_name), [&]() -> Status {
-    workspace.loading = std::make_unique<FileLoading>(file_name, size);
+    if (use == FileUse::OtherClip && !workspace.has_clip()) {
+      return Error{DiagnosticCode::InvalidArgument, {}, "Open a file first; this one would stand beside it.", "", ""};
+    }
+    workspace.loading = std::make_unique<FileLoading>(file_name, size, use);
     return {};
   });
   if (!begun) refuse(workspace, file_name, begun.error());
@@ -127,7 +145,8 @@ void follow_loading(Workspace& workspace) {
     loading.begun_s = workspace.now_s;
     workspace.backend.draw_after(FileLoading::kPatience_s + 0.02);
   }
-  if (workspace.now_s - *loading.begun_s >= FileLoading::kPatience_s) show_news(workspace);
+  const bool is_late = workspace.now_s - *loading.begun_s >= FileLoading::kPatience_s;
+  if (is_late && loading.use() == FileUse::Document) show_news(workspace);
 }
 
 Status finish_loading(Workspace& workspace) {

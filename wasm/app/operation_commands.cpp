@@ -17,9 +17,15 @@ json run_operation(Workspace& workspace, const json& args) {
   const Result<RecipeStep> step = parse_recipe_step(text);
   if (!step) return command_error(step.error().message);
   const Clip& clip = workspace.session.document.clip();
-  const Result<BoundStep> bound = bind_step(*step, clip);
+  Result<BoundStep> bound = bind_step(*step, clip);
   if (!bound) return command_error(bound.error().message);
-  if (!bound->other_file.empty()) return command_error("Steps that take another file are for the command line: marey edit.");
+  if (!bound->other_file.empty()) {
+    const OtherClip* other = workspace.session.other.get();
+    if (other == nullptr || other->file_name != bound->other_file) {
+      return command_error("Read " + bound->other_file + " first, by openOther().");
+    }
+    bound->values.other = &other->clip;
+  }
   Result<OperationOutcome> outcome = make_operation_edit(clip, *bound->operation, bound->target, bound->values);
   if (!outcome) return command_error(outcome.error().message);
   const json answer = {{"changed", !outcome->edit.empty()}, {"name", outcome->edit.name}, {"notes", outcome->notes}};

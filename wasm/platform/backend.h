@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "wasm/app/file_use.h"
+
 namespace marey::app {
 
 /// What the person has set on their machine.
@@ -18,8 +20,8 @@ struct SystemPreferences {
 /// and platform/headless (tests); CMake picks the file.
 class Backend {
  public:
-  /// Opens the browser's file picker; the chosen file arrives through App::open_file.
-  void ask_for_file();
+  /// Opens the browser's file picker; the chosen file arrives through App::begin_loading.
+  void ask_for_file(FileUse use = FileUse::Document);
   /// Hands bytes to the user as a download.
   void download(std::string_view file_name, std::string_view bytes);
   /// Opens a bundled sample by its id; it arrives through App::open_file.

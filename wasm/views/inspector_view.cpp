@@ -63,7 +63,6 @@ void InspectorView::add_commands(CommandRegistry& registry, Workspace& workspace
     workspace.preferences.sheet = Sheet::Inspector;
   };
   for (const Operation& operation : operations()) {
-    if (!is_for_page(operation)) continue;
     registry.add({.id = fmt::format("operation.{}", operation.id),
                   .label = fmt::format("{}…", operation.label),
                   .help = std::string(operation.help),

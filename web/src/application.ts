@@ -46,7 +46,7 @@ export class Application {
     const host = new PageHost({
       canvas: this.canvas,
       wake: () => this.loop.request(),
-      askForFile: () => this.files.ask(),
+      askForFile: (beside) => this.files.ask((name, data) => void this.tryToOpen(name, sourceOf(data), beside)),
       loadSample: (id) => void this.loadSample(id),
       stopLoading: () => this.loader.stop(),
       forgetLetters: () => {
@@ -83,11 +83,14 @@ export class Application {
     await this.tryToOpen(fileNameOf(src), sourceOfResponse(response));
   }
 
-  /** Reads and opens a file. Throws a MareyError when it is refused; the program shows it too. */
-  async open(name: string, source: FileSource): Promise<void> {
+  /**
+   * Reads a file and opens it, or puts it beside the open one. Throws a MareyError when it is refused; the program shows it
+   * too.
+   */
+  async open(name: string, source: FileSource, beside = false): Promise<void> {
     try {
-      await this.loader.load(name, source);
-      this.opened = { name, source };
+      await this.loader.load(name, source, beside);
+      if (!beside) this.opened = { name, source };
     } catch (error) {
       if (!(error instanceof MareyError)) this.fail("stopped", error);
       throw error;
@@ -166,9 +169,9 @@ export class Application {
     }
   }
 
-  private async tryToOpen(name: string, source: FileSource): Promise<void> {
+  private async tryToOpen(name: string, source: FileSource, beside = false): Promise<void> {
     try {
-      await this.open(name, source);
+      await this.open(name, source, beside);
     } catch (error) {
       // The program says why it refused a file; it does not hear of one that does not come, or for which there is no room.
       if (!(error instanceof MareyError)) return;

@@ -36,13 +36,13 @@ export class FileLoader {
   }
 
   /**
-   * Reads a file and opens it. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
+   * Reads a file and opens it, or puts it beside the open one. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
    * end ("not_loaded"); what was open before then stays.
    */
-  async load(name: string, source: FileSource): Promise<void> {
+  async load(name: string, source: FileSource, beside: boolean): Promise<void> {
     const program = this.program();
     this.stop();
-    program.beginLoading(name, source.size);
+    program.beginLoading(name, source.size, beside);
     const { signal } = (this.running = new AbortController());
     this.loop.request();
     try {

@@ -9,10 +9,12 @@ const looksLikeBvh = /^[\s\ufeff]*HIERARCHY\b/i;
 export class Files {
   private readonly input = document.getElementById("file-input") as HTMLInputElement;
   private readonly overlay = document.getElementById("drop-overlay")!;
+  private openChosen: OpenFile;
 
   constructor(private readonly open: OpenFile) {
+    this.openChosen = open;
     this.input.addEventListener("change", () => {
-      this.openFirst([...(this.input.files ?? [])]);
+      this.openFirst([...(this.input.files ?? [])], this.openChosen);
       this.input.value = "";
     });
     window.addEventListener("dragover", (event) => this.dragOver(event));
@@ -22,7 +24,9 @@ export class Files {
     window.addEventListener("drop", (event) => this.drop(event));
   }
 
-  ask(): void {
+  /** Lets the person choose a file; what is dropped or pasted meanwhile goes its usual way. */
+  ask(open: OpenFile = this.open): void {
+    this.openChosen = open;
     this.input.click();
   }
 
@@ -30,7 +34,7 @@ export class Files {
   paste(data: DataTransfer): boolean {
     const files = [...data.files];
     if (files.length > 0) {
-      this.openFirst(files);
+      this.openFirst(files, this.open);
       return true;
     }
     const text = data.getData("text/plain");
@@ -54,11 +58,11 @@ export class Files {
   }
 
   /** Opens the first BVH file, or the only file whatever its name. */
-  private openFirst(files: File[]): void {
+  private openFirst(files: File[], open: OpenFile): void {
     if (files.length === 0) return;
     const file = files.find(({ name }) => /\.bvh$/i.test(name)) ?? files[0]!;
     hideNotice();
-    this.open(file.name, file);
+    open(file.name, file);
     if (files.length > 1) showNotice(`${files.length} files were given; ${file.name} was opened, one at a time.`);
   }
 }

@@ -1,6 +1,7 @@
 /** What the program asks of the page; web/host_library.js calls it. */
 export interface Host {
-  askForFile(): void;
+  /** `beside`: for a clip that is to stand beside the open one. */
+  askForFile(beside: boolean): void;
   download(name: string, bytes: Uint8Array): void;
   loadSample(id: string): void;
   /** Nothing more of the file that is being read is wanted. */

@@ -1,17 +1,19 @@
 import type { Application } from "./application";
 import { sourceOf } from "./file_source";
-import type { CommandInfo, Item, PageApi } from "./page_api";
+import type { CommandInfo, Item, PageApi, State } from "./page_api";
 
 /** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */
 export function makePageApi(application: Application, ready: Promise<void>, started: Promise<void>): PageApi {
+  const open = async (name: string, data: string | Uint8Array | ArrayBuffer | Blob, beside: boolean): Promise<State> => {
+    await started;
+    await application.open(name, sourceOf(new Blob([data as BlobPart])), beside);
+    application.loop.drawNow();
+    return application.state();
+  };
   return {
     ready,
-    async open(name, data) {
-      await started;
-      await application.open(name, sourceOf(new Blob([data as BlobPart])));
-      application.loop.drawNow();
-      return application.state();
-    },
+    open: (name, data) => open(name, data, false),
+    openOther: (name, data) => open(name, data, true),
     save: () => application.program.save(),
     state: () => application.state(),
     commands: () => application.program.commands() as CommandInfo[],

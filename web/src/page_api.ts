@@ -69,6 +69,8 @@ export interface State {
   /** Channels that are keys rather than samples, and their keys. */
   keyedChannels: number;
   ownKeys: number;
+  /** The clip that openOther() put beside the open one. */
+  otherFile: string | null;
   theme: "dark" | "light";
   themeChoice: "system" | "dark" | "light";
   interfaceScale: number;
@@ -126,6 +128,8 @@ export interface PageApi {
   readonly ready: Promise<void>;
   /** Reads a BVH file piece by piece and opens it. Rejects with a MareyError { code, message, line, column }; the open document then stays. */
   open(name: string, data: string | Uint8Array | ArrayBuffer | Blob): Promise<State>;
+  /** The same for a clip that stands beside the open one, for operations that take another: { do: "append from=NAME" }. */
+  openOther(name: string, data: string | Uint8Array | ArrayBuffer | Blob): Promise<State>;
   /** The document as a BVH file, as Download gives it. */
   save(): Uint8Array;
   state(): State;

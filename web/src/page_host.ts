@@ -9,7 +9,7 @@ export interface PageParts {
   canvas: HTMLCanvasElement;
   /** Asks for a frame. */
   wake(): void;
-  askForFile(): void;
+  askForFile(beside: boolean): void;
   loadSample(id: string): void;
   stopLoading(): void;
   /** A font has come that letters were waiting for. */
@@ -40,8 +40,8 @@ export class PageHost implements Host {
     });
   }
 
-  askForFile(): void {
-    this.parts.askForFile();
+  askForFile(beside: boolean): void {
+    this.parts.askForFile(beside);
   }
 
   download(name: string, bytes: Uint8Array<ArrayBuffer>): void {

@@ -70,10 +70,13 @@ export class Program {
     return { used: this.module._marey_used_memory(), reserved: this.module.HEAPU8.length };
   }
 
-  /** Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. */
-  beginLoading(name: string, size: number): void {
+  /**
+   * Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. `beside`: it is not
+   * opened but stands beside the open one.
+   */
+  beginLoading(name: string, size: number, beside: boolean): void {
     this.check(this.withBytes([encode(name)], (nameAt, nameSize) =>
-      this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size)));
+      this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size, beside ? 1 : 0)));
   }
 
   /** Reads the next bytes. False when no more are wanted: finishLoading() says why. */

@@ -2,7 +2,6 @@
 
 #include "core/editing/operation.h"
 #include "tests/app/support/app_stage.h"
-#include "wasm/views/operations/operation_form.h"
 
 namespace marey::app {
 namespace {
@@ -36,7 +35,6 @@ class OperationsPageTest : public testing::Test {
     const JointIndex joint = stage_.app().session().selection.active_joint();
     for (const Operation& operation : operations()) {
       SCOPED_TRACE(operation.id);
-      if (!is_for_page(operation)) continue;
       open(std::string(operation.id));
       ASSERT_TRUE(stage_.shows("operation.apply"));
       stage_.click("operation.apply");
@@ -192,6 +190,49 @@ TEST_F(OperationsPageTest, TheFilterExplorerLooksAtTheCurve) {
   stage_.app().run_command("view.curve_editor", nullptr);
   stage_.settle();
   EXPECT_TRUE(stage_.shows("curves.canvas"));
+}
+
+TEST_F(OperationsPageTest, TakesAnotherClip) {
+  open("append");
+  EXPECT_EQ(stage_.item("operation.value.from").label, "Choose…");
+  stage_.click("operation.apply");
+  stage_.settle();
+  EXPECT_TRUE(stage_.shows("operation.apply"));
+  EXPECT_EQ(stage_.item("operation.note").label, "Choose the other clip first.");
+  stage_.click("operation.value.from");
+  EXPECT_EQ(stage_.log().other_requests, 1);
+  App& app = stage_.app();
+  ASSERT_TRUE(app.begin_loading("again.bvh", 0, FileUse::OtherClip));
+  ASSERT_TRUE(app.feed_loading(before_));
+  ASSERT_TRUE(app.finish_loading());
+  stage_.settle();
+  EXPECT_EQ(stage_.item("operation.value.from").label, "again.bvh");
+  EXPECT_EQ(stage_.state()["file"], "walk.bvh");
+  EXPECT_EQ(stage_.state()["otherFile"], "again.bvh");
+  const int frames = app.session().document.motion().frame_count();
+  EXPECT_EQ(undo_depth(), 1);
+  EXPECT_GT(frames, 300);
+  stage_.click("operation.apply");
+  stage_.settle();
+  EXPECT_FALSE(stage_.shows("operation.apply"));
+  app.run_command("edit.undo", nullptr);
+  EXPECT_EQ(text(), before_);
+  const nlohmann::json answer = app.run_command("edit.operation", {{"do", "append from=again.bvh"}});
+  EXPECT_EQ(answer["changed"], true) << answer;
+  EXPECT_EQ(app.session().document.motion().frame_count(), frames);
+  EXPECT_TRUE(app.run_command("edit.operation", {{"do", "append from=no.bvh"}}).contains("error"));
+}
+
+TEST_F(OperationsPageTest, ABrokenOtherClipLeavesTheFormAsItIs) {
+  open("splice");
+  App& app = stage_.app();
+  ASSERT_TRUE(app.begin_loading("bad.bvh", 0, FileUse::OtherClip));
+  app.feed_loading("nothing\n");
+  EXPECT_FALSE(app.finish_loading());
+  stage_.settle();
+  EXPECT_EQ(stage_.item("operation.value.from").label, "Choose…");
+  EXPECT_EQ(stage_.state()["messages"].size(), 1u);
+  EXPECT_EQ(text(), before_);
 }
 
 // A long clip is made into keys channel by channel, with progress, and can be left in the middle.

@@ -9,7 +9,9 @@ HeadlessLog& headless_log() {
   return log;
 }
 
-void Backend::ask_for_file() { ++headless_log().file_requests; }
+void Backend::ask_for_file(FileUse use) {
+  ++(use == FileUse::OtherClip ? headless_log().other_requests : headless_log().file_requests);
+}
 
 void Backend::download(std::string_view file_name, std::string_view bytes) {
   headless_log().downloads.emplace_back(file_name, bytes);

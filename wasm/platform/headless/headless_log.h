@@ -11,6 +11,7 @@ namespace marey::app {
 /// program; tests clear it before they start.
 struct HeadlessLog {
   int file_requests = 0;
+  int other_requests = 0;  ///< for a clip beside the open one
   int stopped_loadings = 0;
   std::vector<std::pair<std::string, std::string>> downloads;  ///< name, bytes
   std::vector<std::string> samples;

@@ -51,11 +51,6 @@ void wrapped_text(std::string_view text, ImU32 color) {
 
 }  // namespace
 
-bool is_for_page(const Operation& operation) {
-  return std::none_of(operation.parameters.begin(), operation.parameters.end(),
-                      [](const OperationParameter& parameter) { return parameter.kind == ParameterKind::File; });
-}
-
 void OperationForm::open(const Operation& operation, const Session& session) {
   operation_ = &operation;
   values_ = initial_values(operation);
@@ -69,8 +64,21 @@ void OperationForm::open(const Operation& operation, const Session& session) {
   notes_.clear();
   refusal_.clear();
   sample_serial_ = session.selection.sample_serial();
+  take_other(session);
   applies_when_done_ = false;
   previews_ = operation.id == "to-keys" || target_.channels.size() * idx(target_.frames.count) <= kMostPreviewed;
+}
+
+bool OperationForm::lacks_other() const {
+  const auto& parameters = operation_->parameters;
+  return other_ == nullptr && std::any_of(parameters.begin(), parameters.end(), [](const OperationParameter& parameter) {
+           return parameter.kind == ParameterKind::File;
+         });
+}
+
+void OperationForm::take_other(const Session& session) {
+  other_ = session.other;
+  values_.other = other_ ? &other_->clip : nullptr;
 }
 
 // The target is that of the clip without the preview: frames that it takes away are still meant.
@@ -81,6 +89,10 @@ void OperationForm::follow_clip(ViewContext& context) {
     has_step_ = false;
     gesture_ = 0;
     previews_ = false;
+  }
+  if (other_ != session.other) {
+    take_other(session);
+    changed_ = true;
   }
   if (sample_serial_ == session.selection.sample_serial() || has_step_) return;
   sample_serial_ = session.selection.sample_serial();
@@ -130,7 +142,16 @@ void OperationForm::draw_choice(ViewContext& context, const OperationParameter& 
   inspector::end_row();
 }
 
+void OperationForm::draw_file(ViewContext& context, const OperationParameter& parameter) {
+  inspector::begin_row(context, parameter.label);
+  const SmallText id("operation.value.{}", parameter.name);
+  const std::string name = other_ ? ui::displayable(other_->file_name) : "Choose…";
+  if (ui::text_button(context, id.c_str(), name, parameter.help)) context.commands.run("file.open_other", nullptr);
+  inspector::end_row();
+}
+
 void OperationForm::draw_parameter(ViewContext& context, const OperationParameter& parameter, std::size_t place) {
+  if (parameter.kind == ParameterKind::File) return draw_file(context, parameter);
   if (is_text(parameter.kind)) {
     const float width = inspector::begin_row(context, parameter.label);
     const SmallText id("operation.value.{}", parameter.name);
@@ -185,6 +206,10 @@ void OperationForm::take(ViewContext& context) {
   changed_ = false;
   notes_.clear();
   refusal_.clear();
+  if (lacks_other()) {
+    notes_.emplace_back("Choose the other clip first.");
+    return;
+  }
   const Document& document = context.session.document;
   if (KeyJob::is_for(*operation_, values_, target_, document.motion().frame_count())) {
     cancel_step(context.session);
@@ -229,7 +254,7 @@ void OperationForm::cancel(Session& session) {
 OperationForm::Answer OperationForm::apply(ViewContext& context) {
   if (!has_step_ || changed_) take(context);
   applies_when_done_ = job_.is_running();
-  if (!refusal_.empty() || job_.is_running()) return Answer::Open;
+  if (!refusal_.empty() || lacks_other() || job_.is_running()) return Answer::Open;
   report_.assign(1, has_step_ ? std::string(context.session.document.history().undo_name()) + "."
                               : fmt::format("{} changed nothing.", operation_->label));
   report_.insert(report_.end(), notes_.begin(), notes_.end());
@@ -244,7 +269,7 @@ void OperationForm::draw_outcome(ViewContext& context) {
   }
   for (const std::string& note : notes_) wrapped_text(note, context.theme.dim_text);
   if (!notes_.empty()) context.items.add_last("operation.note", notes_.front());
-  if (refusal_.empty() && previews_ && !has_step_ && !changed_ && !job_.is_running()) wrapped_text("Nothing changes.", context.theme.dim_text);
+  if (refusal_.empty() && previews_ && !has_step_ && !lacks_other() && !changed_ && !job_.is_running()) wrapped_text("Nothing changes.", context.theme.dim_text);
   ImGui::Dummy({0.0f, 8.0f});
 }
 

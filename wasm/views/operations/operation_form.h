@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,10 +40,14 @@ class OperationForm {
 
  private:
   void follow_clip(ViewContext& context);
+  /// The operation wants another clip, and none was chosen.
+  [[nodiscard]] bool lacks_other() const;
+  void take_other(const Session& session);
   void draw_parameters(ViewContext& context);
   void draw_parameter(ViewContext& context, const OperationParameter& parameter, std::size_t place);
   void draw_number(ViewContext& context, const OperationParameter& parameter, double& value);
   void draw_choice(ViewContext& context, const OperationParameter& parameter, double& value);
+  void draw_file(ViewContext& context, const OperationParameter& parameter);
   void draw_blends(ViewContext& context);
   void draw_outcome(ViewContext& context);
   Answer draw_buttons(ViewContext& context);
@@ -54,6 +59,7 @@ class OperationForm {
 
   const Operation* operation_ = nullptr;
   OperationValues values_;
+  std::shared_ptr<const OtherClip> other_;  // what values_.other points to
   TargetKind kind_ = TargetKind::Clip;
   OperationTarget target_;
   int blend_in_ = 0;
@@ -70,8 +76,5 @@ class OperationForm {
   std::string refusal_;
   std::vector<std::string> report_;
 };
-
-/// Whether a person can answer all that it asks in the page.
-[[nodiscard]] bool is_for_page(const Operation& operation);
 
 }  // namespace marey::app

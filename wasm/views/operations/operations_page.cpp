@@ -58,7 +58,6 @@ void OperationsPage::draw_list(ViewContext& context) {
   draw_report(context);
   std::string_view group;
   for (const Operation& operation : operations()) {
-    if (!is_for_page(operation)) continue;
     if (!search_.empty() && !find_fuzzy_match(search_, operation.label)) continue;
     if (operation.group != group) inspector::heading(context, operation.group);
     group = operation.group;

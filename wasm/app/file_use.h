@@ -1,0 +1,11 @@
+#pragma once
+
+namespace marey::app {
+
+/// What a file is read for.
+enum class FileUse {
+  Document,   ///< it takes the place of the open clip
+  OtherClip,  ///< it stands beside it, as Session::other
+};
+
+}  // namespace marey::app
