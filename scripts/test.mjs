@@ -15,7 +15,7 @@ function runOtherEngines(log) {
 }
 
 const steps = [
-  { name: "native unit tests", body: (log) => runPreset(log, "native") },
+  { name: "native unit tests", body: (log) => runPreset(log, "native", { MAREY_SEQUENCES: "200000" }) },
   { name: "numbers read and written exactly", body: (log) => runNumberTests(log), notes: /compared with/ },
   { name: "unit tests with sanitizers", body: (log) => runPreset(log, "sanitize") },
   { name: "unit tests as wasm in Node", body: (log) => runPreset(log, "wasm") },

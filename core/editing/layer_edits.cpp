@@ -152,6 +152,10 @@ class Absorber {
   Channels done_;
 };
 
+Error locked_refusal(const Layer& layer) {
+  return {DiagnosticCode::InvalidArgument, {}, fmt::format("The layer \"{}\" is locked. Unlock it to change it.", layer.name), {}, {}};
+}
+
 }  // namespace
 
 Edit make_stack_edit(const Clip& clip, std::string name, LayerStack wanted) {
@@ -177,6 +181,41 @@ Edit make_stack_edit(const Clip& clip, std::string name, LayerStack wanted) {
   for (auto& [channel, values] : samples) edit.samples.push_back({channel, 0, std::move(values)});
   edit.stack = std::move(wanted);
   return edit;
+}
+
+Result<Edit> make_layer_edit(const Clip& clip, std::string name, int layer, const std::function<void(Layer&)>& change) {
+  LayerStack stack = clip.stack;
+  Layer& changed = stack.layers[idx(layer)];
+  change(changed);
+  const Layer& before = clip.stack.layers[idx(layer)];
+  if (before.locked && changed.locked && (!lie_alike(before, changed) || before.curves != changed.curves)) {
+    return locked_refusal(before);
+  }
+  return make_stack_edit(clip, std::move(name), std::move(stack));
+}
+
+Result<Edit> make_layer_deletion(const Clip& clip, int layer) {
+  LayerStack stack = clip.stack;
+  const Layer& deleted = stack.layers[idx(layer)];
+  if (deleted.locked) return locked_refusal(deleted);
+  std::string name = fmt::format("Delete layer \"{}\"", deleted.name);
+  stack.layers.erase(stack.layers.begin() + layer);
+  return make_stack_edit(clip, std::move(name), std::move(stack));
+}
+
+std::string free_layer_name(const LayerStack& stack, std::string_view wanted) {
+  const auto is_taken = [&](const std::string& name) {
+    return std::any_of(stack.layers.begin(), stack.layers.end(), [&](const Layer& layer) { return layer.name == name; });
+  };
+  std::string name = wanted.empty() ? "Layer 1" : std::string(wanted);
+  for (int number = 2; is_taken(name); ++number) name = fmt::format("{} {}", wanted.empty() ? "Layer" : wanted, number);
+  return name;
+}
+
+int count_keys(const std::map<ChannelIndex, SharedKeys>& curves) {
+  int count = 0;
+  for (const auto& curve : curves) count += size_of(curve.second->keys);
+  return count;
 }
 
 Edit make_bake_edit(const Clip& clip) {

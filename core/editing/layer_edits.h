@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.h"
 #include "core/editing/edit.h"
@@ -12,6 +14,20 @@ namespace marey {
 /// else the samples as they are. A channel without layers and keys of its own gets back what was beneath. Channels whose
 /// layers and keys are the same stay to the bit. History checks the curves.
 [[nodiscard]] Edit make_stack_edit(const Clip& clip, std::string name, LayerStack wanted);
+
+/// The edit that changes one layer. Precondition: there is such a layer. Refused with InvalidArgument: a change of keys,
+/// weight or mode of a layer that is locked before and after it.
+[[nodiscard]] Result<Edit> make_layer_edit(const Clip& clip, std::string name, int layer,
+                                           const std::function<void(Layer&)>& change);
+
+/// The edit that takes one layer away. Precondition: there is such a layer. Refused with InvalidArgument if it is locked.
+[[nodiscard]] Result<Edit> make_layer_deletion(const Clip& clip, int layer);
+
+/// A name that no layer has: the wanted one, with a number behind it where it is taken. "Layer 1" if none is wanted.
+[[nodiscard]] std::string free_layer_name(const LayerStack& stack, std::string_view wanted = {});
+
+/// Keys of some curves together.
+[[nodiscard]] int count_keys(const std::map<ChannelIndex, SharedKeys>& curves);
 
 /// The samples stay as they are, layers and keys go.
 [[nodiscard]] Edit make_bake_edit(const Clip& clip);

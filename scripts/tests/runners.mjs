@@ -17,13 +17,13 @@ function countGoogleTests({ tests, failures, errors = 0, testsuites }) {
   return { passed: tests - failed - skipped, failed, skipped };
 }
 
-/** Builds everything of a CMake preset and runs its GoogleTest programs. */
-export function runPreset(log, preset) {
+/** Builds everything of a CMake preset and runs its GoogleTest programs, with what `env` sets for them. */
+export function runPreset(log, preset, env = {}) {
   log.must("cmake", ["--preset", preset]);
   log.must("cmake", ["--build", "--preset", preset]);
   const reports = inRoot("build", preset, "reports");
   rmSync(reports, { recursive: true, force: true });
-  const ok = log.run("ctest", ["--preset", preset]);
+  const ok = log.run("ctest", ["--preset", preset], { env: { ...process.env, ...env } });
   const names = existsSync(reports) ? readdirSync(reports) : [];
   const counts = names.map((name) => countGoogleTests(readJson(join(reports, name)))).reduce(add, noCounts);
   return ok || counts.failed > 0 ? counts : { ...counts, failed: 1 };

@@ -54,6 +54,7 @@ App::App(Backend& backend, const FontFiles& fonts) {
   workspace.preferences = parts_->known_preferences = read_preferences(parts_->stored_preferences);
   workspace.overlay = workspace.preferences.welcome_seen ? Overlay::None : Overlay::Welcome;
   add_all_commands(*parts_);
+  parts_->commands.set_refused([this](const std::string& sentence) { parts_->refusal = sentence; });
   parts_->commands.set_failed([&workspace](const Command& command, const Fault& fault) {
     const Message message = failure_message(command, fault);
     workspace.messages.add(message);

@@ -136,6 +136,11 @@ void draw_window(AppParts& parts) {
   ImGui::PopFont();
 }
 
+void say_refusal(AppParts& parts) {
+  if (!parts.refusal.empty() && parts.refusal != parts.workspace.notice) parts.workspace.notify(parts.refusal);
+  parts.refusal.clear();
+}
+
 // Tells the page what it shows outside of the canvas, when it has changed.
 void report_to_page(AppParts& parts) {
   Workspace& workspace = parts.workspace;
@@ -197,6 +202,7 @@ ViewContext AppParts::make_context() {
           .hover = hover,
           .next_hover = next_hover,
           .status = status,
+          .refusal = refusal,
           .now_s = workspace.now_s,
           .redraw = redraw,
           .widgets = widgets,
@@ -221,6 +227,7 @@ void App::draw_frame() {
   if (!parts.commands.run_pressed_shortcut().empty()) parts.settling_frames = kFramesToSettle;
   follow_escape(parts);
   draw_window(parts);
+  say_refusal(parts);
   if (!ImGui::GetIO().NavVisible && !is_menu_open()) keep_navigation_keys_for_shortcuts();
   report_to_page(parts);
 }

@@ -31,6 +31,7 @@ struct AppParts {
   Hover hover;
   Hover next_hover;
   std::string status;
+  std::string refusal;
   Scene scene;
   Shell shell;
   std::uint64_t shown_clip_serial = 0;  ///< the clip that the views have been told of

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/base/diagnostic_code.h"
+#include "core/editing/layer_edits.h"
 #include "wasm/app/app_parts.h"
 #include "wasm/app/widgets.h"
 
@@ -87,12 +88,6 @@ void add_document(json& state, const Document& document) {
   state["upAxis"] = axis_name(settings.up_axis);
   state["metresPerUnit"] = settings.metres_per_unit;
   state["namesIn"] = traits_of(settings.names_in).id;
-}
-
-int count_keys(const std::map<ChannelIndex, SharedKeys>& curves) {
-  int count = 0;
-  for (const auto& curve : curves) count += size_of(curve.second->keys);
-  return count;
 }
 
 void add_layers(json& state, const Session& session) {

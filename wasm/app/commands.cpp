@@ -64,7 +64,11 @@ nlohmann::json CommandRegistry::run(std::string_view id, const nlohmann::json& a
 nlohmann::json CommandRegistry::run_guarded(const Command& command, const nlohmann::json& args) {
   nlohmann::json answer;
   const std::optional<Fault> fault = catch_fault([&] { answer = command.run(args); });
-  if (!fault) return answer;
+  if (!fault) {
+    const auto error = answer.is_object() ? answer.find("error") : answer.end();
+    if (answer.is_object() && error != answer.end() && refused_) refused_(error->get<std::string>());
+    return answer;
+  }
   if (failed_) failed_(command, *fault);
   return {{"error", fault->out_of_memory ? out_of_memory("this command").message : fault->details}};
 }

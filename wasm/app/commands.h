@@ -53,6 +53,8 @@ class CommandRegistry {
   /// Hears of commands that threw, as of one that has no memory; what was thrown goes no further.
   using Failed = std::function<void(const Command& command, const Fault& fault)>;
   void set_failed(Failed failed) { failed_ = std::move(failed); }
+  /// Called with the sentence of each command that could not do what it was asked for.
+  void set_refused(std::function<void(const std::string& sentence)> refused) { refused_ = std::move(refused); }
 
   /// Runs a command by id. {"error": ...} for an unknown id, a blocked command or one that threw; else what the command
   /// returns.
@@ -73,6 +75,7 @@ class CommandRegistry {
   std::vector<Command> commands_;
   std::vector<std::vector<ImGuiKeyChord>> chords_;  ///< of the commands' shortcuts
   Failed failed_;
+  std::function<void(const std::string&)> refused_;
 };
 
 }  // namespace marey::app

@@ -28,6 +28,7 @@ struct ViewContext {
   const Hover& hover;  ///< of the last frame
   Hover& next_hover;   ///< what this frame's views find under the pointer
   std::string& status; ///< one line that says what a drag does, or what just happened; shown in the viewport's corner
+  std::string& refusal; ///< why something was not done; said for a few seconds
   double now_s = 0.0;
   bool& redraw;        ///< set to ask for a further frame (animation running)
   WidgetState& widgets;  ///< memory of the controls in widgets.h; new_gesture() serves every view

@@ -83,7 +83,7 @@ void InspectorView::add_commands(CommandRegistry& registry, Workspace& workspace
                   show_page(Page::Layers);
                   return nullptr;
                 }});
-  add_layer_commands(registry, workspace.session);
+  add_layer_commands(registry, workspace);
 }
 
 void InspectorView::draw(ViewContext& context) {

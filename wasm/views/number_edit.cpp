@@ -15,7 +15,7 @@ void apply_number_event(ViewContext& context, const ui::NumberResult& result, co
     case ui::NumberEvent::Cancelled: session.cancel_gesture(result.gesture); break;
     case ui::NumberEvent::None: break;
   }
-  if (!status) context.status = status.error().message;
+  if (!status) context.refusal = status.error().message;
 }
 
 }  // namespace marey::app

@@ -30,15 +30,9 @@ Result<int> choose_layer(const OperationCall& call) {
   return layer;
 }
 
-Result<int> choose_open_layer(const OperationCall& call) {
-  const Result<int> layer = choose_layer(call);
-  if (!layer || !call.clip.stack.layers[idx(*layer)].locked) return layer;
-  return refusal(fmt::format("The layer \"{}\" is locked. Unlock it to change it.", call.clip.stack.layers[idx(*layer)].name));
-}
-
 Result<int> choose_keys(const OperationCall& call) {
   if (call.text("layer").empty()) return kOwnKeys;
-  return choose_open_layer(call);
+  return choose_layer(call);
 }
 
 }  // namespace marey

@@ -12,9 +12,6 @@ namespace marey {
 /// The layer that the parameter "layer" names; the highest where it is "". Refused where there is none.
 [[nodiscard]] Result<int> choose_layer(const OperationCall& call);
 
-/// The same, refused also where it is locked.
-[[nodiscard]] Result<int> choose_open_layer(const OperationCall& call);
-
 /// The layer, or kOwnKeys where the parameter "layer" is "".
 [[nodiscard]] Result<int> choose_keys(const OperationCall& call);
 

@@ -20,18 +20,17 @@ Outcome with_stack(const OperationCall& call, std::string name, LayerStack stack
   return outcome;
 }
 
-std::string new_name(const LayerStack& stack, const std::string& wanted) {
-  std::string name = wanted.empty() ? "Layer 1" : wanted;
-  for (int number = 2; find_layer(stack, name) >= 0; ++number) {
-    name = fmt::format("{} {}", wanted.empty() ? "Layer" : wanted, number);
-  }
-  return name;
+Outcome outcome_of(Result<Edit> edit) {
+  if (!edit) return edit.error();
+  OperationOutcome outcome;
+  outcome.edit = std::move(*edit);
+  return outcome;
 }
 
 Outcome make_layer_add(const OperationCall& call) {
   LayerStack stack = call.clip.stack;
   Layer layer;
-  layer.name = new_name(stack, call.text("name"));
+  layer.name = free_layer_name(stack, call.text("name"));
   layer.mode = call.choice("mode") == "override" ? LayerMode::Override : LayerMode::Additive;
   layer.sums_angles = call.choice("rotations") == "sum";
   std::string name = fmt::format("Add layer \"{}\"", layer.name);
@@ -41,20 +40,16 @@ Outcome make_layer_add(const OperationCall& call) {
 
 Outcome make_layer_delete(const OperationCall& call) {
   const Result<int> layer = choose_layer(call);
-  if (!layer) return layer.error();
-  LayerStack stack = call.clip.stack;
-  std::string name = fmt::format("Delete layer \"{}\"", stack.layers[idx(*layer)].name);
-  stack.layers.erase(stack.layers.begin() + *layer);
-  return with_stack(call, std::move(name), std::move(stack));
+  return layer ? outcome_of(make_layer_deletion(call.clip, *layer)) : layer.error();
 }
 
 Outcome make_layer_rename(const OperationCall& call) {
   const Result<int> layer = choose_layer(call);
   if (!layer) return layer.error();
-  LayerStack stack = call.clip.stack;
-  stack.layers[idx(*layer)].name.clear();
-  stack.layers[idx(*layer)].name = new_name(stack, call.text("name"));
-  return with_stack(call, "Rename layer", std::move(stack));
+  LayerStack others = call.clip.stack;
+  others.layers.erase(others.layers.begin() + *layer);
+  const std::string name = free_layer_name(others, call.text("name"));
+  return outcome_of(make_layer_edit(call.clip, "Rename layer", *layer, [&](Layer& l) { l.name = name; }));
 }
 
 Outcome make_layer_order(const OperationCall& call) {
@@ -73,10 +68,9 @@ using SetSwitch = void (*)(Layer& layer, bool on);
 Outcome make_switch(const OperationCall& call, std::string_view on_verb, std::string_view off_verb, SetSwitch set) {
   const Result<int> layer = choose_layer(call);
   if (!layer) return layer.error();
-  LayerStack stack = call.clip.stack;
-  set(stack.layers[idx(*layer)], call.yes("on"));
-  std::string name = fmt::format("{} layer \"{}\"", call.yes("on") ? on_verb : off_verb, stack.layers[idx(*layer)].name);
-  return with_stack(call, std::move(name), std::move(stack));
+  const bool on = call.yes("on");
+  std::string name = fmt::format("{} layer \"{}\"", on ? on_verb : off_verb, call.clip.stack.layers[idx(*layer)].name);
+  return outcome_of(make_layer_edit(call.clip, std::move(name), *layer, [&](Layer& l) { set(l, on); }));
 }
 
 Outcome make_layer_mute(const OperationCall& call) {
@@ -92,25 +86,24 @@ Outcome make_layer_lock(const OperationCall& call) {
 }
 
 Outcome make_layer_mode(const OperationCall& call) {
-  const Result<int> layer = choose_open_layer(call);
+  const Result<int> layer = choose_layer(call);
   if (!layer) return layer.error();
-  LayerStack stack = call.clip.stack;
-  stack.layers[idx(*layer)].mode = call.choice("mode") == "override" ? LayerMode::Override : LayerMode::Additive;
-  stack.layers[idx(*layer)].sums_angles = call.choice("rotations") == "sum";
-  return with_stack(call, "Change how a layer counts", std::move(stack));
+  return outcome_of(make_layer_edit(call.clip, "Change how a layer counts", *layer, [&](Layer& l) {
+    l.mode = call.choice("mode") == "override" ? LayerMode::Override : LayerMode::Additive;
+    l.sums_angles = call.choice("rotations") == "sum";
+  }));
 }
 
 // One weight for all times, or a key of the weight's curve.
 Outcome make_layer_weight(const OperationCall& call) {
-  const Result<int> layer = choose_open_layer(call);
+  const Result<int> layer = choose_layer(call);
   if (!layer) return layer.error();
-  LayerStack stack = call.clip.stack;
-  SharedKeys& weight = stack.layers[idx(*layer)].weight;
-  const bool is_constant = call.choice("at") == "all";
-  KeyCurve curve = is_constant || !weight ? KeyCurve{} : *weight;
-  set_key(curve, is_constant ? 0.0 : call.number("frame"), call.number("value"));
-  weight = std::make_shared<const KeyCurve>(std::move(curve));
-  return with_stack(call, "Weight of a layer", std::move(stack));
+  return outcome_of(make_layer_edit(call.clip, "Weight of a layer", *layer, [&](Layer& l) {
+    const bool is_constant = call.choice("at") == "all";
+    KeyCurve curve = is_constant || !l.weight ? KeyCurve{} : *l.weight;
+    set_key(curve, is_constant ? 0.0 : call.number("frame"), call.number("value"));
+    l.weight = std::make_shared<const KeyCurve>(std::move(curve));
+  }));
 }
 
 Outcome make_layers_bake(const OperationCall& call) {

@@ -22,7 +22,7 @@ void WidgetStage::frame(int count) {
     items_.begin_frame();
     ViewContext context{.session = session_, .clip_serial = 0, .commands = commands_, .options = options_,
                         .time_window = time_window_, .theme = theme_, .fonts = fonts_, .items = items_, .hover = hover_,
-                        .next_hover = next_hover_, .status = status_, .now_s = 0.0, .redraw = redraw_,
+                        .next_hover = next_hover_, .status = status_, .refusal = refusal_, .now_s = 0.0, .redraw = redraw_,
                         .widgets = widgets_, .system = system_};
     ImGui::SetNextWindowPos(ImVec2(0.0f, 0.0f));
     ImGui::SetNextWindowSize(io.DisplaySize);

@@ -41,6 +41,7 @@ class WidgetStage {
   Hover hover_;
   Hover next_hover_;
   std::string status_;
+  std::string refusal_;
   WidgetState widgets_;
   SystemPreferences system_;
   bool redraw_ = false;

@@ -209,5 +209,24 @@ TEST_F(LayersPageTest, HandlesArePulled) {
   EXPECT_GT(pulled.right.value / pulled.right.frames, handle.value / handle.frames + 0.1);
 }
 
+TEST_F(LayersPageTest, ALockedLayerStays) {
+  click("layer.add@layers");
+  click("layers.lock.0");
+  const int depth = stage_.state()["undoDepth"].get<int>();
+  click("layer.delete@layers");
+  EXPECT_EQ(clip().stack.layers.size(), 1u);
+  EXPECT_NE(stage_.state()["status"].get<std::string>().find("is locked"), std::string::npos) << stage_.state()["status"];
+  stage_.wait(60.0);
+  stage_.settle();
+  EXPECT_EQ(stage_.state()["status"], "");
+  stage_.drag("layers.weight", {-60.0f, 0.0f});
+  stage_.settle();
+  EXPECT_EQ(clip().stack.layers[0].weight, nullptr);
+  EXPECT_EQ(stage_.state()["undoDepth"], depth);
+  EXPECT_NE(stage_.state()["status"].get<std::string>().find("is locked"), std::string::npos) << stage_.state()["status"];
+  const auto refused = stage_.app().run_command("layer.add", {{"mode", "sideways"}});
+  EXPECT_TRUE(refused.contains("error"));
+}
+
 }  // namespace
 }  // namespace marey::app

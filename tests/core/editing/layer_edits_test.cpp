@@ -335,5 +335,28 @@ TEST(Keys, OfAChannelItselfAreItsSamples) {
   EXPECT_EQ(clip.motion.sample(0, 2), -7.0);
 }
 
+TEST(LayerEdits, AChangeOfALockedLayerIsRefusedButForItsSwitches) {
+  Clip clip = make_clip(3, 10);
+  LayerStack stack;
+  stack.layers.emplace_back().name = "Fix";
+  stack.layers[0].locked = true;
+  clip = with_stack(std::move(clip), stack);
+  EXPECT_FALSE(make_layer_edit(clip, "Mode", 0, [](Layer& layer) { layer.mode = LayerMode::Override; }));
+  EXPECT_FALSE(make_layer_deletion(clip, 0));
+  EXPECT_EQ(make_layer_deletion(clip, 0).error().message, "The layer \"Fix\" is locked. Unlock it to change it.");
+  EXPECT_TRUE(make_layer_edit(clip, "Mute", 0, [](Layer& layer) { layer.muted = true; }));
+  EXPECT_TRUE(make_layer_edit(clip, "Name", 0, [](Layer& layer) { layer.name = "Other"; }));
+  EXPECT_TRUE(make_layer_edit(clip, "Unlock", 0, [](Layer& layer) { layer.locked = false; }));
+}
+
+TEST(LayerEdits, FindsAFreeName) {
+  LayerStack stack;
+  EXPECT_EQ(free_layer_name(stack), "Layer 1");
+  for (const char* name : {"Layer 1", "Fix"}) stack.layers.emplace_back().name = name;
+  EXPECT_EQ(free_layer_name(stack), "Layer 2");
+  EXPECT_EQ(free_layer_name(stack, "Fix"), "Fix 2");
+  EXPECT_EQ(free_layer_name(stack, "Arms"), "Arms");
+}
+
 }  // namespace
 }  // namespace marey::test

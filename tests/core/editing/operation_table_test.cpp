@@ -3,12 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 
 #include "core/editing/history.h"
+#include "core/editing/layer_edits.h"
 #include "core/editing/recipe.h"
+#include "core/motion/key_curve_edits.h"
 #include "tests/core/editing/operation_clips.h"
 
 namespace marey::test {
@@ -121,6 +126,33 @@ TEST(OperationTable, SurvivesMissingSamples) {
   }
 }
 
+// Two layers with keys on some channels; the upper one is locked.
+Clip with_locked_layer(Clip clip, Random& random) {
+  LayerStack stack;
+  for (const char* name : {"Free", "Kept"}) {
+    Layer layer;
+    layer.name = name;
+    layer.locked = stack.layers.size() == 1;
+    if (random.one_in(3)) layer.mode = LayerMode::Override;
+    for (int i = 0; i < 3; ++i) {
+      KeyCurve curve;
+      set_key(curve, random.below(clip.motion.frame_count() + 1), random.between(-30, 30));
+      set_key(curve, random.between(0, 20), random.between(-30, 30));
+      layer.curves[random.below(clip.motion.channel_count())] = std::make_shared<const KeyCurve>(std::move(curve));
+    }
+    stack.layers.push_back(std::move(layer));
+  }
+  History history;
+  EXPECT_TRUE(history.apply(clip, make_stack_edit(clip, "Layers", std::move(stack))));
+  return clip;
+}
+
+const Layer* find_locked(const Clip& clip) {
+  const auto& layers = clip.stack.layers;
+  const auto found = std::find_if(layers.begin(), layers.end(), [](const Layer& layer) { return layer.locked; });
+  return found == layers.end() ? nullptr : &*found;
+}
+
 bool is_sample_operation(const Operation& operation) {
   return operation.reach != OperationReach::Frames && operation.reach != OperationReach::Clip &&
          operation.reach != OperationReach::Figure && operation.reach != OperationReach::Keys &&
@@ -197,37 +229,87 @@ TEST(OperationTable, RefusesValuesThatDoNotFit) {
   EXPECT_EQ(check_values(append, initial_values(append)).error().message, "'append' wants another clip as 'from'.");
 }
 
-// Random steps on random clips: undone to the start and done again to the end, whatever they were.
-TEST(OperationTable, RandomSequencesAreUndoneAndRedone) {
+// A layer that is locked stays as it is, or goes with all others where the frames or the figure are no longer the same.
+TEST(OperationTable, LeavesALockedLayer) {
+  Random random(14);
+  const Clip other = make_figure(12);
+  for (int round = 0; round < 40; ++round) {
+    const Clip clip = with_locked_layer(make_figure(20), random);
+    for (const Operation& operation : operations()) {
+      if (operation.id == "layers-bake" || operation.id == "layer-lock") continue;
+      SCOPED_TRACE(operation.id);
+      const OperationTarget target = round == 0 ? whole_clip(clip) : make_random_target(random, clip);
+      const OperationValues values = round == 0 ? values_of(operation, {}, &other) : make_random_values(random, operation, &other);
+      try_operation(clip, operation, target, values);
+      if (HasFatalFailure()) return;
+      const auto outcome = make_operation_edit(clip, operation, target, values);
+      if (!outcome) continue;
+      Clip changed = clip;
+      History history;
+      ASSERT_TRUE(history.apply(changed, outcome->edit));
+      const bool is_other_clip = changed.motion.frame_count() != clip.motion.frame_count() || !(changed.skeleton == clip.skeleton) ||
+                                 changed.file_frames != clip.file_frames;
+      if (is_other_clip && changed.stack.empty()) continue;
+      const Layer* locked = find_locked(changed);
+      ASSERT_NE(locked, nullptr);
+      EXPECT_EQ(locked->curves, find_locked(clip)->curves);
+      EXPECT_EQ(locked->weight, find_locked(clip)->weight);
+      EXPECT_EQ(locked->mode, find_locked(clip)->mode);
+    }
+  }
+}
+
+// Random steps on a clip: undone to the start and done again to the end, whatever they were. Returns how many changed it.
+int run_sequence(Random& random, Clip clip, const Clip& other, int most_steps) {
+  History history(std::size_t{1} << 30);
+  std::vector<std::vector<std::uint64_t>> states = {bits_of(clip)};
+  for (int step = 0; step < most_steps; ++step) {
+    const Operation& operation = operations()[idx(random.below(size_of(operations())))];
+    const auto outcome =
+        make_operation_edit(clip, operation, make_random_target(random, clip), make_random_values(random, operation, &other));
+    if (!outcome || outcome->edit.empty() || clip.motion.frame_count() > 2000) continue;
+    EXPECT_TRUE(history.apply(clip, outcome->edit)) << operation.id;
+    states.push_back(bits_of(clip));
+  }
+  EXPECT_EQ(idx(history.undo_depth()) + 1, states.size());
+  for (std::size_t i = states.size(); i-- > 1;) {
+    EXPECT_TRUE(history.undo(clip));
+    EXPECT_EQ(bits_of(clip), states[i - 1]);
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    EXPECT_TRUE(history.redo(clip));
+    EXPECT_EQ(bits_of(clip), states[i]);
+  }
+  return size_of(states) - 1;
+}
+
+TEST(OperationTable, LongRandomSequencesAreUndoneAndRedone) {
   const Clip other = make_figure(9);
   int steps = 0;
-  for (std::uint64_t seed = 0; seed < 800; ++seed) {
+  for (std::uint64_t seed = 0; seed < 800 && !testing::Test::HasFailure(); ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     Clip clip = random.one_in(2) ? make_random_clip(random) : make_wild_figure(random, random.below(40));
-    History history(std::size_t{1} << 30);
-    std::vector<std::vector<std::uint64_t>> states = {bits_of(clip)};
-    for (int step = 0; step < 60; ++step) {
-      const Operation& operation = operations()[idx(random.below(size_of(operations())))];
-      const auto outcome =
-          make_operation_edit(clip, operation, make_random_target(random, clip), make_random_values(random, operation, &other));
-      if (!outcome || outcome->edit.empty() || clip.motion.frame_count() > 2000) continue;
-      ASSERT_TRUE(history.apply(clip, outcome->edit)) << operation.id;
-      states.push_back(bits_of(clip));
-      ++steps;
-    }
-    ASSERT_EQ(idx(history.undo_depth()) + 1, states.size());
-    for (std::size_t i = states.size(); i-- > 1;) {
-      ASSERT_TRUE(history.undo(clip));
-      ASSERT_EQ(bits_of(clip), states[i - 1]);
-    }
-    for (std::size_t i = 1; i < states.size(); ++i) {
-      ASSERT_TRUE(history.redo(clip));
-      ASSERT_EQ(bits_of(clip), states[i]);
-    }
+    steps += run_sequence(random, std::move(clip), other, 60);
   }
   EXPECT_GT(steps, 15000);
-  RecordProperty("steps", steps);
+}
+
+// MAREY_SEQUENCES of them, 2000 if it is not set: npm test sets it for the native build.
+TEST(OperationTable, ManyRandomSequencesAreUndoneAndRedone) {
+  const char* wanted = std::getenv("MAREY_SEQUENCES");
+  const int sequences = wanted == nullptr ? 2000 : std::atoi(wanted);
+  const Clip other = make_figure(4);
+  int steps = 0;
+  for (int seed = 0; seed < sequences && !testing::Test::HasFailure(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random(static_cast<std::uint64_t>(seed) + 1'000'000);
+    Clip clip = random.one_in(2) ? make_random_clip(random) : make_wild_figure(random, random.below(8));
+    if (random.one_in(4) && clip.motion.channel_count() > 0) clip = with_locked_layer(std::move(clip), random);
+    steps += run_sequence(random, std::move(clip), other, 8);
+  }
+  EXPECT_GT(steps, sequences);
+  std::cout << sequences << " sequences with " << steps << " changes undone and redone\n";
 }
 
 }  // namespace

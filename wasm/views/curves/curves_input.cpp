@@ -86,7 +86,7 @@ void move_samples(ViewContext& context, CurvesState& state) {
   const Falloff falloff{static_cast<double>(context.options.falloff_radius_frames)};
   const auto make_edit = [&](const Clip& clip) { return make_move_edit(clip, moved, delta, falloff); };
   const Status status = with_memory_for("this change", [&] { return session.apply_gesture(drag.gesture, make_edit); });
-  if (!status) context.status = status.error().message;
+  if (!status) context.refusal = status.error().message;
 }
 
 void continue_drag(ViewContext& context, CurvesState& state) {

@@ -195,7 +195,7 @@ void drag_key(ViewContext& context, CurvesState& state) {
   };
   const Status status = with_memory_for("this change", [&] { return session.apply_gesture(drag.gesture, make_edit); });
   if (!status) refusal = status.error().message;
-  if (!refusal.empty()) context.status = refusal;
+  if (!refusal.empty()) context.refusal = refusal;
 }
 
 }  // namespace marey::app

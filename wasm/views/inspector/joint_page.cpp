@@ -30,7 +30,7 @@ Edit make_value_edit(ViewContext& context, const Clip& clip, ChannelIndex channe
   if (!sets_key) return make_sample_edit(clip, channel, frame, value);
   Result<Edit> edit = make_pose_key_edit(clip, "Set key", session.active_layer, frame, {{channel, value}});
   if (edit) return std::move(*edit);
-  context.status = edit.error().message;
+  context.refusal = edit.error().message;
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "core/editing/key_edits.h"
 #include "core/editing/layer_edits.h"
 #include "core/motion/key_curve_edits.h"
+#include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
 #include "wasm/app/icons.h"
 #include "wasm/views/layers/layers_page.h"
@@ -16,19 +17,15 @@ namespace {
 
 using Json = nlohmann::json;
 
-Reason without_clip(const Session& session) {
-  if (session.document.skeleton().joint_count() == 0) return "Open a clip first.";
-  return session.is_partial ? "The file is still being read." : "";
-}
-
 Reason without_layer(const Session& session) {
   return session.active_layer == kOwnKeys ? "Choose a layer first." : "";
 }
 
-Reason without_curves(const Session& session) {
-  const Reason reason = without_clip(session);
+Reason without_curves(const Workspace& workspace) {
+  const Session& session = workspace.session;
+  if (session.is_partial) return needs_whole_clip(workspace);
+  const Reason reason = needs_frames(workspace);
   if (*reason != '\0') return reason;
-  if (session.document.motion().frame_count() == 0) return "The clip has no frames.";
   return session.selection.joints().empty() ? "Select a joint first." : "";
 }
 
@@ -38,33 +35,19 @@ Json apply(Session& session, Result<Edit> edit) {
   return edit ? said(session.apply(std::move(*edit))) : command_error(edit.error().message);
 }
 
-std::string free_name(const LayerStack& stack) {
-  const auto is_taken = [&](const std::string& name) {
-    return std::any_of(stack.layers.begin(), stack.layers.end(), [&](const Layer& layer) { return layer.name == name; });
-  };
-  int number = size_of(stack.layers) + 1;
-  while (is_taken(fmt::format("Layer {}", number))) ++number;
-  return fmt::format("Layer {}", number);
-}
-
 Json add_layer(Session& session, const Json& args) {
   CommandArgs read(args);
   LayerStack stack = session.document.clip().stack;
   Layer layer;
-  layer.name = read.text("name", free_name(stack));
+  layer.name = free_layer_name(stack, read.text("name", ""));
   const std::string mode = read.text("mode", "additive");
   if (read.failed()) return read.error();
+  if (mode != "additive" && mode != "override") return command_error("A layer's mode is additive or override, not " + mode + ".");
   if (mode == "override") layer.mode = LayerMode::Override;
   stack.layers.push_back(std::move(layer));
   const Status status = session.apply(make_stack_edit(session.document.clip(), "Add layer", std::move(stack)));
   if (status) session.active_layer = size_of(session.document.clip().stack.layers) - 1;
   return said(status);
-}
-
-Json delete_layer(Session& session) {
-  LayerStack stack = session.document.clip().stack;
-  stack.layers.erase(stack.layers.begin() + session.active_layer);
-  return said(session.apply(make_stack_edit(session.document.clip(), "Delete layer", std::move(stack))));
 }
 
 // One place up or down; the active layer moves along.
@@ -121,37 +104,39 @@ Json delete_keys_here(Session& session) {
   return apply(session, make_keys_edit(clip, "Delete keys", session.active_layer, std::move(curves)));
 }
 
-void add_key_commands(CommandRegistry& registry, Session& session) {
+void add_key_commands(CommandRegistry& registry, Workspace& workspace) {
+  Session& session = workspace.session;
   registry.add({.id = "keys.set",
                 .label = "Set keys",
                 .help = "Sets keys on the active layer at this frame, for the curves that are shown.",
                 .shortcut = "K",
                 .icon = icons::kDiamondPlus,
                 .run = [&session](const Json&) { return set_keys(session); },
-                .blocked = [&session] { return without_curves(session); }});
+                .blocked = [&workspace] { return without_curves(workspace); }});
   registry.add({.id = "keys.delete",
                 .label = "Delete keys",
                 .help = "Takes the keys of the active layer at this frame away, for the curves that are shown.",
                 .shortcut = "Alt+K",
                 .icon = icons::kDiamondMinus,
                 .run = [&session](const Json&) { return delete_keys_here(session); },
-                .blocked = [&session] { return without_curves(session); }});
+                .blocked = [&workspace] { return without_curves(workspace); }});
 }
 
 }  // namespace
 
-void add_layer_commands(CommandRegistry& registry, Session& session) {
+void add_layer_commands(CommandRegistry& registry, Workspace& workspace) {
+  Session& session = workspace.session;
   registry.add({.id = "layer.add",
                 .label = "Add layer",
                 .help = "Puts an empty layer on top: its keys are added to what is beneath.",
                 .icon = icons::kPlus,
                 .run = [&session](const Json& args) { return add_layer(session, args); },
-                .blocked = [&session] { return without_clip(session); }});
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
   registry.add({.id = "layer.delete",
                 .label = "Delete layer",
                 .help = "Takes the active layer and its keys away.",
                 .icon = icons::kTrash2,
-                .run = [&session](const Json&) { return delete_layer(session); },
+                .run = [&session](const Json&) { return apply(session, make_layer_deletion(session.document.clip(), session.active_layer)); },
                 .blocked = [&session] { return without_layer(session); }});
   registry.add({.id = "layer.up",
                 .label = "Layer up",
@@ -178,7 +163,7 @@ void add_layer_commands(CommandRegistry& registry, Session& session) {
                 .help = "Makes a layer the one that keys are set on; 0 for the channels themselves.",
                 .run = [&session](const Json& args) { return choose_layer(session, args); },
                 .in_palette = false});
-  add_key_commands(registry, session);
+  add_key_commands(registry, workspace);
 }
 
 }  // namespace marey::app

@@ -24,10 +24,9 @@ const Layer& layer_of(const ViewContext& context, int layer) { return context.se
 // Changes one layer as one step of undo.
 template <class Change>
 void change_layer(ViewContext& context, const char* name, int layer, Change change) {
-  LayerStack stack = context.session.document.clip().stack;
-  change(stack.layers[idx(layer)]);
-  const Status status = context.session.apply(make_stack_edit(context.session.document.clip(), name, std::move(stack)));
-  if (!status) context.status = status.error().message;
+  Result<Edit> edit = make_layer_edit(context.session.document.clip(), name, layer, change);
+  const Status status = edit ? context.session.apply(std::move(*edit)) : edit.error();
+  if (!status) context.refusal = status.error().message;
 }
 
 double weight_at(const Layer& layer, double frame) {
@@ -36,10 +35,6 @@ double weight_at(const Layer& layer, double frame) {
 
 // The first key of a curve takes the constant weight along, at the first frame.
 void key_weight(ViewContext& context, int layer, double frame, double weight) {
-  if (layer_of(context, layer).locked) {
-    context.status = "The layer is locked. Unlock it to change its weight.";
-    return;
-  }
   change_layer(context, "Key the weight", layer, [&](Layer& l) {
     KeyCurve curve = l.weight ? *l.weight : KeyCurve{};
     if (curve.keys.empty()) set_key(curve, 0.0, weight);
@@ -66,12 +61,6 @@ bool choice_row(ViewContext& context, const char* id, std::string_view label, bo
   ui::elided_text(context, label, width - buttons - inspector::kPadding - 4.0f, context.theme.text);
   ImGui::SetCursorScreenPos({min.x + width - buttons, min.y});
   return pressed;
-}
-
-int count_keys(const std::map<ChannelIndex, SharedKeys>& curves) {
-  int count = 0;
-  for (const auto& curve : curves) count += size_of(curve.second->keys);
-  return count;
 }
 
 }  // namespace
@@ -131,13 +120,14 @@ void LayersPage::draw_weight(ViewContext& context, int layer) {
   const auto result = ui::number_field(context, "layers.weight", "Weight", 100.0 * weight,
                                        {.unit = "%", .decimals = 0, .step = 0.5, .low = 0.0, .high = 100.0, .width = width});
   apply_number(context, result, [&](const Clip& clip) {
-    LayerStack stack = clip.stack;
-    Layer& changed = stack.layers[idx(layer)];
-    if (changed.locked) return Edit{};
-    KeyCurve curve = is_curve ? *changed.weight : KeyCurve{};
-    set_key(curve, is_curve ? frame : 0.0, 0.01 * result.value);
-    changed.weight = std::make_shared<const KeyCurve>(std::move(curve));
-    return make_stack_edit(clip, "Weight of a layer", std::move(stack));
+    Result<Edit> edit = make_layer_edit(clip, "Weight of a layer", layer, [&](Layer& l) {
+      KeyCurve curve = is_curve ? *l.weight : KeyCurve{};
+      set_key(curve, is_curve ? frame : 0.0, 0.01 * result.value);
+      l.weight = std::make_shared<const KeyCurve>(std::move(curve));
+    });
+    if (edit) return std::move(*edit);
+    context.refusal = edit.error().message;
+    return Edit{};
   });
   ImGui::SameLine(0.0f, 4.0f);
   if (ui::icon_button(context, "layers.weight_key", icons::kDiamondPlus, "Key the weight: it has this value at this frame.")) {

@@ -9,6 +9,8 @@
 
 namespace marey::app {
 
+struct Workspace;
+
 /// The page of the inspector with the layers of keys over the samples: which one keys are set on, what counts and how much,
 /// and how far the result is from what is beneath.
 class LayersPage {
@@ -40,6 +42,6 @@ class LayersPage {
 };
 
 /// Registers what the page does: layer.add, layer.delete, keys.set and others.
-void add_layer_commands(CommandRegistry& registry, Session& session);
+void add_layer_commands(CommandRegistry& registry, Workspace& workspace);
 
 }  // namespace marey::app
