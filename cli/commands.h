@@ -16,6 +16,7 @@ void add_fk_command(CLI::App& program, ExitCode& exit_code);
 void add_fmt_command(CLI::App& program, ExitCode& exit_code);
 void add_check_command(CLI::App& program, ExitCode& exit_code);
 void add_edit_command(CLI::App& program, ExitCode& exit_code);
+void add_analyse_command(CLI::App& program, ExitCode& exit_code);
 void add_targets_command(CLI::App& program, ExitCode& exit_code);
 
 /// Adds the positional FILE and --strict.

@@ -69,6 +69,7 @@ ExitCode run(int argument_count, char** arguments) {
   add_fmt_command(program, exit_code);
   add_check_command(program, exit_code);
   add_edit_command(program, exit_code);
+  add_analyse_command(program, exit_code);
   add_targets_command(program, exit_code);
   try {
     program.parse(argument_count, arguments);

@@ -42,6 +42,15 @@ ExitCode write_position_table(const std::string& file, const BvhClip& clip, cons
   return write_table(file, std::move(header), clip.motion.frame_count(), append_rows);
 }
 
+ExitCode write_analysis_table(const std::string& file, const AnalysisTable& table, double frame_time_s, int frame_count) {
+  std::vector<NumberColumn> columns;
+  for (const AnalysisColumn& column : table.columns) columns.push_back({column.name, column.values});
+  std::string header;
+  append_columns_header(columns, header);
+  return write_table(file, std::move(header), frame_count,
+                     [&](FrameRange frames, std::string& out) { append_columns(columns, frame_time_s, frames, out); });
+}
+
 void add_units(CLI::App& command, std::string& length_unit) {
   command.add_option("--units", length_unit, "Write units into the header of a table, lengths in this one, which BVH does not tell")
       ->check(CLI::IsMember({"m", "cm", "mm", "in", "ft", "unit"}));

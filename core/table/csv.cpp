@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 #include <vector>
@@ -29,9 +30,9 @@ void append_number_field(double value, std::string& out) {
   append_number(value, kFewestDigits, out);
 }
 
-void append_row_start(const Motion& motion, FrameIndex frame, std::string& out) {
+void append_row_start(double frame_time_s, FrameIndex frame, std::string& out) {
   fmt::format_to(std::back_inserter(out), "{}", frame + 1);
-  append_number_field(frame * motion.frame_time_s(), out);
+  append_number_field(frame * frame_time_s, out);
 }
 
 std::string in_brackets(std::string_view unit) { return unit.empty() ? "" : fmt::format("[{}]", unit); }
@@ -63,7 +64,7 @@ void append_channel_header(const Skeleton& skeleton, std::string& out, std::stri
 
 void append_channel_rows(const Motion& motion, FrameRange frames, std::string& out) {
   for (FrameIndex frame = frames.first; frame < frames.end(); ++frame) {
-    append_row_start(motion, frame, out);
+    append_row_start(motion.frame_time_s(), frame, out);
     for (ChannelIndex channel = 0; channel < motion.channel_count(); ++channel) {
       append_number_field(motion.sample(channel, frame), out);
     }
@@ -89,9 +90,33 @@ void append_position_rows(const Skeleton& skeleton, const Motion& motion, FrameR
   std::vector<double> world_positions(idx(frames.count) * row_length);
   compute_world_positions(skeleton, motion, frames, rule, world_positions);
   for (int row = 0; row < frames.count; ++row) {
-    append_row_start(motion, frames.first + row, out);
+    append_row_start(motion.frame_time_s(), frames.first + row, out);
     for (const double value : std::span(world_positions).subspan(idx(row) * row_length, row_length)) {
       append_number_field(value, out);
+    }
+    out += '\n';
+  }
+}
+
+void append_columns_header(std::span<const NumberColumn> columns, std::string& out) {
+  out += "frame,time[s]";
+  for (const NumberColumn& column : columns) {
+    out += ',';
+    append_text_field(column.name, out);
+  }
+  out += '\n';
+}
+
+void append_columns(std::span<const NumberColumn> columns, double frame_time_s, FrameRange frames, std::string& out) {
+  for (FrameIndex frame = frames.first; frame < frames.end(); ++frame) {
+    append_row_start(frame_time_s, frame, out);
+    for (const NumberColumn& column : columns) {
+      const double value = column.values[idx(frame)];
+      if (std::isfinite(value)) {
+        append_number_field(value, out);
+      } else {
+        out += ',';
+      }
     }
     out += '\n';
   }

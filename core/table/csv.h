@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/motion/motion.h"
 #include "core/skeleton/position_rule.h"
@@ -29,5 +31,16 @@ void append_position_header(const Skeleton& skeleton, std::string& out, std::str
 /// World positions in file units. `frames` lies within the motion.
 void append_position_rows(const Skeleton& skeleton, const Motion& motion, FrameRange frames, PositionRule rule,
                           std::string& out);
+
+/// A column of any table over the frames.
+struct NumberColumn {
+  std::string_view name;           ///< "torque:Body.x[N.m]"
+  std::span<const double> values;  ///< one per frame; one that is not finite stands as an empty field
+};
+
+/// "frame,time[s],torque:Body.x[N.m],...": units stand in the names.
+void append_columns_header(std::span<const NumberColumn> columns, std::string& out);
+/// Frames are `frame_time_s` apart. `frames` lies within the columns.
+void append_columns(std::span<const NumberColumn> columns, double frame_time_s, FrameRange frames, std::string& out);
 
 }  // namespace marey

@@ -5,7 +5,7 @@
 
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/new_samples.h"
-#include "core/editing/rotation_filter.h"
+#include "core/signal/rotation_filter.h"
 #include "core/math/angle.h"
 #include "core/motion/sampling.h"
 #include "core/signal/butterworth.h"

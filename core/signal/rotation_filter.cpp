@@ -1,4 +1,4 @@
-#include "core/editing/rotation_filter.h"
+#include "core/signal/rotation_filter.h"
 
 #include <algorithm>
 #include <cmath>

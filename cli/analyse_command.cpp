@@ -1,0 +1,107 @@
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <span>
+
+#include "cli/body_model_json.h"
+#include "cli/commands.h"
+#include "cli/files.h"
+#include "cli/report.h"
+#include "cli/table_output.h"
+#include "core/biomechanics/quantity.h"
+#include "core/document/document.h"
+
+namespace marey::cli {
+namespace {
+
+struct AnalyseOptions {
+  Input input;
+  std::vector<std::string> quantities;
+  std::string model;
+  std::string support = "auto";
+  std::string derivative = "central";
+  std::optional<double> frame_time_s;
+  std::string output = "-";
+};
+
+/// Adds the quantities of a list, apart by commas or blanks. What a joint is called may hold both: a text that is one
+/// quantity as it stands is not taken apart.
+void add_quantities(const std::string& list, const Skeleton& skeleton, std::vector<std::string>& quantities) {
+  constexpr std::string_view kApart = ", \t";
+  if (find_quantities(skeleton, std::span(&list, 1))) {
+    quantities.push_back(list);
+    return;
+  }
+  std::size_t at = list.find_first_not_of(kApart);
+  while (at != std::string::npos) {
+    const std::size_t end = std::min(list.find_first_of(kApart, at), list.size());
+    quantities.push_back(list.substr(at, end - at));
+    at = list.find_first_not_of(kApart, end);
+  }
+}
+
+/// What is wanted; nothing if it cannot be understood, which has been reported.
+std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const Clip& clip) {
+  AnalysisRequest request;
+  for (const std::string& list : options.quantities) add_quantities(list, clip.skeleton, request.quantities);
+  request.support = *find_support_kind(options.support);
+  request.frame_time_s = options.frame_time_s;
+  const Result<Derivation> derivation = parse_derivation(options.derivative);
+  if (!derivation) {
+    report_usage_error(derivation.error().message);
+    return std::nullopt;
+  }
+  request.derivation = *derivation;
+  if (options.model.empty()) return request;
+  const std::optional<std::string> text = read_bytes(options.model);
+  if (!text) return std::nullopt;
+  Result<BodyModel> model = read_body_model(*text, clip.skeleton);
+  if (!model) {
+    report_error(options.model, model.error());
+    return std::nullopt;
+  }
+  request.model = std::move(*model);
+  return request;
+}
+
+ExitCode run_analyse(const AnalyseOptions& options) {
+  std::optional<BvhClip> read = read_clip_for_use(options.input);
+  if (!read) return ExitCode::BadInput;
+  const Clip clip = make_clip(std::move(*read));
+  const std::optional<AnalysisRequest> request = make_request(options, clip);
+  if (!request) return ExitCode::BadInput;
+  const Result<AnalysisTable> table = analyse(clip, *request);
+  if (!table) {
+    report_error(options.input.file, table.error());
+    return ExitCode::BadInput;
+  }
+  for (const std::string& note : table->notes) report_note(options.input.file, {}, note);
+  return write_analysis_table(options.output, *table, request->frame_time_s.value_or(clip.motion.frame_time_s()),
+                              clip.motion.frame_count());
+}
+
+}  // namespace
+
+void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
+  const auto options = std::make_shared<AnalyseOptions>();
+  CLI::App* command = program.add_subcommand("analyse", "Write quantities of kinematics and mechanics as CSV, in SI units");
+  add_input(*command, options->input);
+  command->add_option("-q,--quantities", options->quantities,
+                      "What to write, apart by commas: position:J velocity:J acceleration:J angle:J angular_velocity:J "
+                      "angular_acceleration:J force:J torque:J power:J com com_velocity momentum angular_momentum kinetic_energy "
+                      "potential_energy reaction cop; J is a joint, * is all")
+      ->required();
+  command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
+  command->add_option("--support", options->support, "What holds the body")
+      ->check(CLI::IsMember({"pivot", "flight", "ground", "auto"}))
+      ->capture_default_str();
+  command->add_option("--derivative", options->derivative, "central, butterworth:HZ, savgol:WINDOW,DEGREE or gcv")
+      ->capture_default_str();
+  command->add_option("--frame-time", options->frame_time_s, "Seconds per frame, in place of the file's")
+      ->check(CLI::Range(1e-9, 1e9));
+  command->add_option("-o,--output", options->output, "CSV file to write; standard output by default");
+  command->callback([options, &exit_code] { exit_code = run_analyse(*options); });
+}
+
+}  // namespace marey::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/skeleton/skeleton.h"
+
+namespace marey {
+
+/// A rigid segment that a joint carries: what hangs on its frame, from the joint towards its children. SI, in the joint's own
+/// axes, which turn with it and stand like the world's in the rest pose.
+struct Segment {
+  JointIndex joint = 0;
+  double mass_kg = 0.0;
+  glm::dvec3 com_m{0.0};           ///< centre of mass, from the joint's origin
+  glm::dmat3 inertia_kgm2{0.0};    ///< about the centre of mass; symmetric
+};
+
+/// The masses of a figure. A joint may carry several segments, or none.
+struct BodyModel {
+  std::vector<Segment> segments;
+  std::optional<double> metres_per_unit;       ///< of the clip's unit of length; none: as the clip has it
+  std::optional<glm::dvec3> gravity_mps2;      ///< none: 9.81 down the clip's up axis
+};
+
+/// A symmetric tensor from its moments and products: xx yy zz xy xz yz, the products as they stand in the matrix.
+[[nodiscard]] glm::dmat3 symmetric_tensor(std::span<const double, 6> moments);
+
+/// Whether the masses can be: finite, masses and principal moments >= 0, joints that the figure has, some mass at all. Refused
+/// with InvalidArgument, the message names the segment.
+[[nodiscard]] Status check_body_model(const BodyModel& model, const Skeleton& skeleton);
+
+[[nodiscard]] double total_mass_kg(const BodyModel& model);
+
+}  // namespace marey
