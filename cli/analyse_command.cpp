@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 
-#include "cli/body_model_json.h"
 #include "cli/commands.h"
 #include "cli/files.h"
+#include "cli/json_text.h"
 #include "cli/report.h"
 #include "cli/table_output.h"
+#include "core/biomechanics/body_model_json.h"
 #include "core/biomechanics/quantity.h"
 #include "core/document/document.h"
 
@@ -41,6 +43,17 @@ void add_quantities(const std::string& list, const Skeleton& skeleton, std::vect
   }
 }
 
+/// The model of a file; nothing if it cannot be read, which has been reported.
+std::optional<BodyModel> read_model(const std::string& file, const Skeleton& skeleton) {
+  const std::optional<std::string> text = read_bytes(file);
+  if (!text) return std::nullopt;
+  const auto json = parse_json<nlohmann::json>(*text, "The model");
+  Result<BodyModel> model = json ? read_body_model(*json, skeleton) : Result<BodyModel>(json.error());
+  if (model) return std::move(*model);
+  report_error(file, model.error());
+  return std::nullopt;
+}
+
 /// What is wanted; nothing if it cannot be understood, which has been reported.
 std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const Clip& clip) {
   AnalysisRequest request;
@@ -54,15 +67,8 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
   }
   request.derivation = *derivation;
   if (options.model.empty()) return request;
-  const std::optional<std::string> text = read_bytes(options.model);
-  if (!text) return std::nullopt;
-  Result<BodyModel> model = read_body_model(*text, clip.skeleton);
-  if (!model) {
-    report_error(options.model, model.error());
-    return std::nullopt;
-  }
-  request.model = std::move(*model);
-  return request;
+  request.model = read_model(options.model, clip.skeleton);
+  return request.model ? std::optional(std::move(request)) : std::nullopt;
 }
 
 ExitCode run_analyse(const AnalyseOptions& options) {

@@ -1,4 +1,5 @@
 // Operations, layers and keys by the page's own controls, with the mouse and the keyboard.
+import { writeFileSync } from "node:fs";
 import { armClip } from "./support/clips.mjs";
 import { expect, test } from "./support/fixtures.mjs";
 
@@ -48,6 +49,25 @@ test("each operation is found, previewed, applied and undone", async ({ marey, p
     expect(await marey.save(), id).toBe(text);
   }
   expect(changed).toBeGreaterThan(5);
+});
+
+test("another clip is appended, and joints are spliced from it", async ({ marey, page }, info) => {
+  const text = await marey.save();
+  const path = info.outputPath("other arm.bvh");
+  writeFileSync(path, armClip());
+  await marey.click("inspector.tab.edit");
+  await openForm(marey, page, "append", "Append clip");
+  await marey.chooseFile(path, () => marey.click("operation.value.from"));
+  await marey.expectState(({ otherFile, file }) => [otherFile, file], ["other arm.bvh", "arm.bvh"]);
+  await marey.expectState(({ undoDepth }) => undoDepth, 1);
+  const { frames } = await marey.state();
+  await marey.click("operation.apply");
+  await marey.picture("append");
+  await marey.command("edit.undo");
+  expect(await marey.save()).toBe(text);
+  expect(frames).toBeGreaterThan((await marey.state()).frames);
+  const answer = await marey.command("edit.operation", { do: "splice from='other arm.bvh' at=3 joints=Shoulder" });
+  expect(answer.changed).toBe(true);
 });
 
 test("a value drawn by the mouse changes the preview, and Escape takes it back", async ({ marey, page }) => {

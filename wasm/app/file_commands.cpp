@@ -37,6 +37,27 @@ Command make_stop_command(Workspace& workspace) {
           .blocked = [&workspace] { return workspace.loading ? "" : "No file is being read."; }};
 }
 
+void add_opening_commands(CommandRegistry& registry, Workspace& workspace) {
+  registry.add({.id = "file.open",
+                .label = "Open…",
+                .help = "Opens a BVH file or a CSV table from this computer. Dropping it anywhere on the page does the same.",
+                .shortcut = "Ctrl+O",
+                .icon = icons::kFolderOpen,
+                .run = [&workspace](const json&) -> json {
+                  workspace.backend.ask_for_file();
+                  return nullptr;
+                }});
+  registry.add({.id = "file.open_other",
+                .label = "Choose another clip…",
+                .help = "Reads a clip that operations can join to the open one.",
+                .icon = icons::kFolderOpen,
+                .run = [&workspace](const json&) -> json {
+                  workspace.backend.ask_for_file(FileUse::OtherClip);
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
+}
+
 }  // namespace
 
 std::string download_name(std::string_view file_name) {
@@ -57,24 +78,7 @@ Reason needs_frames(const Workspace& workspace) {
 }
 
 void add_file_commands(CommandRegistry& registry, Workspace& workspace) {
-  registry.add({.id = "file.open",
-                .label = "Open…",
-                .help = "Opens a BVH file or a CSV table from this computer. Dropping it anywhere on the page does the same.",
-                .shortcut = "Ctrl+O",
-                .icon = icons::kFolderOpen,
-                .run = [&workspace](const json&) -> json {
-                  workspace.backend.ask_for_file();
-                  return nullptr;
-                }});
-  registry.add({.id = "file.open_other",
-                .label = "Choose another clip…",
-                .help = "Reads a clip that operations can join to the open one.",
-                .icon = icons::kFolderOpen,
-                .run = [&workspace](const json&) -> json {
-                  workspace.backend.ask_for_file(FileUse::OtherClip);
-                  return nullptr;
-                },
-                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
+  add_opening_commands(registry, workspace);
   registry.add(make_stop_command(workspace));
   add_save_commands(registry, workspace);
   registry.add({.id = "file.previous",

@@ -16,6 +16,7 @@ struct ModuleClip {
   bool is_open = false;
   std::string text;
   std::string report;  ///< of the last export
+  std::vector<double> numbers;  ///< of the last analysis
   std::vector<float> world_positions;
   marey::LocalPose local;
   marey::WorldPose world;

@@ -1,6 +1,6 @@
 import type { CoreProgram } from "./core_program.js";
 import type {
-  CharacterSet, Clip, Diagnostic, Exported, ExportTarget, Joint, PositionMeaning, WriteForOptions, WriteOptions,
+  AnalyseOptions, Analysis, CharacterSet, Clip, Diagnostic, Exported, ExportTarget, Joint, PositionMeaning, WriteForOptions, WriteOptions,
   WriteTableOptions,
 } from "./marey.js";
 import { MareyError } from "./marey_error.js";
@@ -139,6 +139,28 @@ export class ClipInMemory implements Clip {
     const reportAt = this.module._marey_clip_report(handle);
     const report = this.module.HEAPU8.slice(reportAt, reportAt + this.module._marey_clip_report_size(handle));
     return { bytes, ...JSON.parse(new TextDecoder().decode(report)) };
+  }
+
+  analyse(options: AnalyseOptions): Analysis {
+    const handle = this.open();
+    if (!Array.isArray(options.quantities) || options.quantities.some((quantity) => typeof quantity !== "string")) {
+      throw new MareyError("invalid_argument", "Quantities are a list of texts.");
+    }
+    if (options.frameTime !== undefined && !(options.frameTime > 0 && Number.isFinite(options.frameTime))) {
+      throw new MareyError("invalid_argument", "The frame time is a number of seconds above 0.");
+    }
+    const request = new TextEncoder().encode(JSON.stringify(options));
+    return withMemory(() => {
+      const done = withBytes(this.module, request, (address) => this.module._marey_clip_analyse(handle, address, request.length));
+      const answer = JSON.parse(new TextDecoder().decode(copyText(this.module, handle)));
+      if (done === 0) throw errorOf(answer);
+      const start = this.module._marey_clip_numbers(handle) / Float64Array.BYTES_PER_ELEMENT;
+      const columns = (answer.names as string[]).map((name, i) => {
+        const at = start + i * this.frameCount;
+        return { name, values: this.module.HEAPF64.slice(at, at + this.frameCount) };
+      });
+      return { columns, notes: answer.notes };
+    });
   }
 
   dispose(): void {

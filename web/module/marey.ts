@@ -81,6 +81,12 @@ export interface Clip {
    */
   writeFor(target: ExportTarget, options?: WriteForOptions): Exported;
 
+  /**
+   * Quantities of kinematics and mechanics in world axes and SI units, as `marey analyse` writes them; docs/mechanics.md has
+   * what there is. Throws a MareyError for a quantity, joint or method that there is not, and without a model that is needed.
+   */
+  analyse(options: AnalyseOptions): Analysis;
+
   /** Gives the memory back; the clip cannot be used afterwards. */
   dispose(): void;
 }
@@ -108,6 +114,46 @@ export interface WriteTableOptions {
   first?: number;
   /** How many frames to write; by default all from `first` on. */
   count?: number;
+}
+
+/** A rigid segment that a joint carries, in the joint's own axes. */
+export interface BodySegment {
+  /** Name of the joint; of joints of one name the first is meant. */
+  joint: string;
+  mass_kg: number;
+  /** From the joint's origin. */
+  com_m: readonly [number, number, number];
+  /** Ixx, Iyy, Izz, Ixy, Ixz, Iyz about the centre of mass; 0 if it is left out. */
+  inertia_kgm2?: readonly [number, number, number, number, number, number];
+}
+
+/** The masses of a figure, as the JSON of `marey analyse --model` has them. */
+export interface BodyModel {
+  /** By default as guessed from the stature. */
+  metres_per_unit?: number;
+  /** Metres per second squared; by default 9.81 down the clip's up axis. */
+  gravity?: readonly [number, number, number];
+  segments: readonly BodySegment[];
+}
+
+export interface AnalyseOptions {
+  /** "torque:Body", "velocity:*", "com" ... */
+  quantities: readonly string[];
+  /** Needed by all that has to do with mass. */
+  model?: BodyModel;
+  /** What holds the body; by default "auto". */
+  support?: "pivot" | "flight" | "ground" | "auto";
+  /** "central" (the default), "butterworth:HZ", "savgol:WINDOW,DEGREE" or "gcv". */
+  derivative?: string;
+  /** Seconds per frame, in place of the file's. */
+  frameTime?: number;
+}
+
+export interface Analysis {
+  /** "torque:Body.x[N.m]" and a value for each frame, NaN where it is not defined. */
+  readonly columns: readonly { readonly name: string; readonly values: Float64Array }[];
+  /** Sentences about what there is to know of them. */
+  readonly notes: readonly string[];
 }
 
 export type ExportTarget = "strict" | "blender" | "three" | "bvhview" | "pybvh" | "motionbuilder" | "second-life";

@@ -122,6 +122,21 @@ void add_key_commands(CommandRegistry& registry, Workspace& workspace) {
                 .blocked = [&workspace] { return without_curves(workspace); }});
 }
 
+void add_order_commands(CommandRegistry& registry, Session& session) {
+  registry.add({.id = "layer.up",
+                .label = "Layer up",
+                .help = "Puts the active layer above the next one.",
+                .icon = icons::kArrowUp,
+                .run = [&session](const Json&) { return move_layer(session, 1); },
+                .blocked = [&session] { return without_place(session, 1); }});
+  registry.add({.id = "layer.down",
+                .label = "Layer down",
+                .help = "Puts the active layer below the next one.",
+                .icon = icons::kArrowDown,
+                .run = [&session](const Json&) { return move_layer(session, -1); },
+                .blocked = [&session] { return without_place(session, -1); }});
+}
+
 }  // namespace
 
 void add_layer_commands(CommandRegistry& registry, Workspace& workspace) {
@@ -138,18 +153,7 @@ void add_layer_commands(CommandRegistry& registry, Workspace& workspace) {
                 .icon = icons::kTrash2,
                 .run = [&session](const Json&) { return apply(session, make_layer_deletion(session.document.clip(), session.active_layer)); },
                 .blocked = [&session] { return without_layer(session); }});
-  registry.add({.id = "layer.up",
-                .label = "Layer up",
-                .help = "Puts the active layer above the next one.",
-                .icon = icons::kArrowUp,
-                .run = [&session](const Json&) { return move_layer(session, 1); },
-                .blocked = [&session] { return without_place(session, 1); }});
-  registry.add({.id = "layer.down",
-                .label = "Layer down",
-                .help = "Puts the active layer below the next one.",
-                .icon = icons::kArrowDown,
-                .run = [&session](const Json&) { return move_layer(session, -1); },
-                .blocked = [&session] { return without_place(session, -1); }});
+  add_order_commands(registry, session);
   registry.add({.id = "layer.bake",
                 .label = "Bake layers and keys",
                 .help = "Keeps the samples as they are and lets layers and keys go.",

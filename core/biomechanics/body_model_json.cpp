@@ -1,4 +1,4 @@
-#include "cli/body_model_json.h"
+#include "core/biomechanics/body_model_json.h"
 
 #include <fmt/format.h>
 
@@ -8,9 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/json_text.h"
-
-namespace marey::cli {
+namespace marey {
 namespace {
 
 using Json = nlohmann::json;
@@ -59,23 +57,21 @@ Result<Segment> read_segment(const Json& entry, const Skeleton& skeleton, std::s
 
 }  // namespace
 
-Result<BodyModel> read_body_model(std::string_view json_text, const Skeleton& skeleton) {
-  const Result<Json> json = parse_json<Json>(json_text, "The model");
-  if (!json) return json.error();
-  if (!json->is_object() || !json->contains("segments") || !(*json)["segments"].is_array()) {
+Result<BodyModel> read_body_model(const Json& json, const Skeleton& skeleton) {
+  if (!json.is_object() || !json.contains("segments") || !json["segments"].is_array()) {
     return model_error("The model is not an object with a list of \"segments\".");
   }
   BodyModel model;
-  if (json->contains("metres_per_unit")) {
-    if (!(*json)["metres_per_unit"].is_number()) return model_error("\"metres_per_unit\" of the model is not a number.");
-    model.metres_per_unit = (*json)["metres_per_unit"].get<double>();
+  if (json.contains("metres_per_unit")) {
+    if (!json["metres_per_unit"].is_number()) return model_error("\"metres_per_unit\" of the model is not a number.");
+    model.metres_per_unit = json["metres_per_unit"].get<double>();
   }
-  if (json->contains("gravity")) {
-    const auto gravity = read_numbers<3>((*json)["gravity"]);
+  if (json.contains("gravity")) {
+    const auto gravity = read_numbers<3>(json["gravity"]);
     if (!gravity) return model_error("\"gravity\" of the model is not three numbers, in metres per second squared.");
     model.gravity_mps2 = vector_of(*gravity);
   }
-  for (const Json& entry : (*json)["segments"]) {
+  for (const Json& entry : json["segments"]) {
     Result<Segment> segment = read_segment(entry, skeleton, model.segments.size() + 1);
     if (!segment) return segment.error();
     model.segments.push_back(*segment);
@@ -84,4 +80,4 @@ Result<BodyModel> read_body_model(std::string_view json_text, const Skeleton& sk
   return model;
 }
 
-}  // namespace marey::cli
+}  // namespace marey

@@ -1,17 +1,17 @@
 #pragma once
 
-#include <string_view>
+#include <nlohmann/json_fwd.hpp>
 
 #include "core/base/result.h"
 #include "core/biomechanics/body_model.h"
 
-namespace marey::cli {
+namespace marey {
 
 /// The masses of a figure:
 ///   {"metres_per_unit": 0.055, "gravity": [0, -9.81, 0],
 ///    "segments": [{"joint": "Arms", "mass_kg": 7, "com_m": [0, 0.275, 0], "inertia_kgm2": [xx, yy, zz, xy, xz, yz]}, ...]}
 /// Unit and gravity may be missing, and so may an inertia, which is 0 then. Of joints of one name the first is meant. Error
 /// InvalidArgument, which names segment and entry.
-[[nodiscard]] Result<BodyModel> read_body_model(std::string_view json_text, const Skeleton& skeleton);
+[[nodiscard]] Result<BodyModel> read_body_model(const nlohmann::json& json, const Skeleton& skeleton);
 
-}  // namespace marey::cli
+}  // namespace marey

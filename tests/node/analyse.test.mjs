@@ -1,0 +1,112 @@
+// marey analyse as people and programs call it, and the same by the JavaScript module.
+import assert from "node:assert/strict";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { createMarey } from "../../dist/module/marey.js";
+import { refused, run, swing } from "./support/cli.mjs";
+
+// Fixture D of the shared theory, section 7.3: 70 kg of average male proportions on the printed gymnast.
+const links = [[10, 0.0988, 0.5315, 0.2789], [12, 0.504, 0.3158, 0.4435], [16, 0.3972, 0.2899, 0.2536]];
+const model = {
+  metres_per_unit: 0.055,
+  gravity: [0, -9.81, 0],
+  segments: links.map(([units, mass, centre, radius], i) => {
+    const length = 0.055 * units;
+    const moment = 70 * mass * (radius * length) ** 2;
+    return { joint: ["Arms", "Body", "Legs"][i], mass_kg: 70 * mass, com_m: [0, centre * length, 0], inertia_kgm2: [moment, 0, moment, 0, 0, 0] };
+  }),
+};
+
+let folder;
+before(() => { folder = mkdtempSync(join(tmpdir(), "marey-analyse-")); });
+after(() => rmSync(folder, { recursive: true }));
+
+function scratch(name, content) {
+  const path = join(folder, name);
+  writeFileSync(path, content);
+  return path;
+}
+
+const modelFile = () => scratch("model.json", JSON.stringify(model));
+
+/** The table of a call, by column names; notes on standard error are no failure. */
+function tableOf(...args) {
+  const { status, stdout, stderr } = run(["analyse", swing, ...args]);
+  assert.equal(status, 0, stderr);
+  const [header, ...rows] = stdout.trimEnd().split("\n").map((line) => line.split(","));
+  return { header, rows, at: (name, frame) => rows[frame - 1][header.indexOf(name)] };
+}
+
+const wanted = "torque:*,reaction,com,kinetic_energy,angular_momentum:Arms";
+const retimed = () => tableOf("-q", wanted, "--model", modelFile(), "--support", "pivot", "--frame-time", "0.066667");
+
+describe("marey analyse", () => {
+  test("gives the torques and the bar force of the giant swing", () => {
+    const table = retimed();
+    assert.deepEqual(table.header.slice(0, 5), ["frame", "time[s]", "torque:Arms.x[N.m]", "torque:Arms.y[N.m]", "torque:Arms.z[N.m]"]);
+    assert.equal(table.rows.length, 23);
+    const expected = { "torque:Arms.z[N.m]": 37.47891, "torque:Body.z[N.m]": 171.01373, "torque:Legs.z[N.m]": -33.49078, "reaction.x[N]": -1565.32879,
+      "reaction.y[N]": 2734.16069, "com.x[m]": 0.49308, "kinetic_energy[J]": 1591.6194, "angular_momentum:Arms.z[kg.m2/s]": 515.21212 };
+    for (const [name, value] of Object.entries(expected)) {
+      assert.ok(Math.abs(Number(table.at(name, 12)) - value) < 1e-6 * Math.abs(value) + 6e-6, `${name}: ${table.at(name, 12)}`);
+    }
+    assert.equal(table.at("torque:Body.z[N.m]", 1), "");
+    assert.equal(table.at("torque:Body.z[N.m]", 23), "");
+    assert.notEqual(table.at("com.x[m]", 1), "");
+  });
+
+  test("needs no model for kinematics", () => {
+    const table = tableOf("-q", "angular_velocity:Arms", "-q", "velocity:Legs_end angle:*");
+    assert.ok(Math.abs(Number(table.at("angular_velocity:Arms.z[rad/s]", 10)) - 11.3622) < 1e-4);
+    assert.ok(table.header.includes("angle:Legs.z[rad]"));
+  });
+
+  test("says what is wrong", () => {
+    const broken = scratch("broken.json", `{"segments": [{"joint": "Arms"`);
+    const noJoint = scratch("no_joint.json", JSON.stringify({ segments: [{ joint: "Head", mass_kg: 1, com_m: [0, 0, 0] }] }));
+    for (const [args, pattern] of [
+      [["-q", "torque:*"], /'torque' needs the masses of the segments/],
+      [["-q", "torque:Head", "--model", modelFile()], /There is no joint 'Head'/],
+      [["-q", "speed"], /'speed' is not a quantity; there are position, velocity/],
+      [["-q", "com", "--model", broken], /broken\.json:1:\d+: error: The model is not valid JSON/],
+      [["-q", "com", "--model", noJoint], /Segment 1 of the model hangs on a joint 'Head'/],
+      [["-q", "velocity:*", "--derivative", "spline"], /'spline' is not a way to differentiate/],
+      [["-q", "velocity:*", "--support", "rope"], /rope/],
+      [["-q", "velocity:*", "--frame-time", "0"], /frame-time/],
+    ]) {
+      refused(["analyse", swing, ...args], pattern);
+    }
+  });
+
+  test("tells what the numbers rest on", () => {
+    const { stderr } = run(["analyse", swing, "-q", "reaction", "--model", modelFile()]);
+    assert.match(stderr, /note: Held at its root; the torque there is a residual/);
+  });
+});
+
+describe("clip.analyse", () => {
+  test("gives the numbers of the command line", async () => {
+    const marey = await createMarey();
+    const clip = marey.parse(readFileSync(swing));
+    const { columns, notes } = clip.analyse({ quantities: wanted.split(","), model, support: "pivot", frameTime: 0.066667 });
+    const table = retimed();
+    assert.deepEqual(columns.map(({ name }) => name), table.header.slice(2));
+    for (const { name, values } of columns) {
+      assert.ok(values instanceof Float64Array);
+      values.forEach((value, i) => {
+        const cell = table.at(name, i + 1);
+        assert.ok(cell === "" ? Number.isNaN(value) : Math.abs(value - Number(cell)) <= 1e-9 * (1 + Math.abs(value)), `${name} ${i + 1}`);
+      });
+    }
+    assert.match(notes.join(" "), /residual/);
+    const code = (call) => { try { call(); } catch (error) { return error.code; } };
+    assert.equal(code(() => clip.analyse({ quantities: ["torque:*"] })), "invalid_argument");
+    assert.equal(code(() => clip.analyse({ quantities: "com" })), "invalid_argument");
+    assert.equal(code(() => clip.analyse({ quantities: ["com"], model: {} })), "invalid_argument");
+    assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], support: "rope" })), "invalid_argument");
+    assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], frameTime: -1 })), "invalid_argument");
+    clip.dispose();
+  });
+});

@@ -1,0 +1,68 @@
+#include <emscripten/emscripten.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/biomechanics/analysis.h"
+#include "core/biomechanics/body_model_json.h"
+#include "core/document/document.h"
+#include "wasm/bindings/module_clip.h"
+
+namespace {
+
+using marey::Result;
+using nlohmann::json;
+
+marey::Error refusal(std::string message) { return {marey::DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}}; }
+
+/// {"quantities": [...], "model": {...}, "support": "auto", "derivative": "central", "frameTime": 0.01}; all but the first may be
+/// missing.
+Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::Skeleton& skeleton) {
+  const json read = json::parse(text);  // it was made by JSON.stringify
+  marey::AnalysisRequest request;
+  for (const json& quantity : read.at("quantities")) request.quantities.push_back(quantity.get<std::string>());
+  const marey::SupportKind* support = marey::find_support_kind(read.value("support", "auto"));
+  if (support == nullptr) return refusal("The support is \"pivot\", \"flight\", \"ground\" or \"auto\".");
+  request.support = *support;
+  const Result<marey::Derivation> derivation = marey::parse_derivation(read.value("derivative", "central"));
+  if (!derivation) return derivation.error();
+  request.derivation = *derivation;
+  if (read.contains("frameTime")) request.frame_time_s = read.at("frameTime").get<double>();
+  if (!read.contains("model")) return request;
+  Result<marey::BodyModel> model = marey::read_body_model(read.at("model"), skeleton);
+  if (!model) return model.error();
+  request.model = std::move(*model);
+  return request;
+}
+
+Result<marey::AnalysisTable> analyse(const marey::Clip& clip, std::string_view request_text) {
+  const Result<marey::AnalysisRequest> request = read_request(request_text, clip.skeleton);
+  if (!request) return request.error();
+  return marey::analyse(clip, *request);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// 1 with {"names": [...], "notes": [...]} as the clip's text and the columns one behind the other as its numbers; 0 with an
+/// error as JSON as its text.
+EMSCRIPTEN_KEEPALIVE int marey_clip_analyse(ModuleClip* clip, const char* request, size_t request_size) {
+  const Result<marey::AnalysisTable> table = analyse(marey::make_clip(clip->bvh), std::string_view(request, request_size));
+  if (!table) {
+    clip->text = describe_error(table.error());
+    return 0;
+  }
+  json names = json::array();
+  clip->numbers.clear();
+  for (const marey::AnalysisColumn& column : table->columns) {
+    names.push_back(column.name);
+    clip->numbers.insert(clip->numbers.end(), column.values.begin(), column.values.end());
+  }
+  clip->text = json{{"names", std::move(names)}, {"notes", table->notes}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  return 1;
+}
+
+EMSCRIPTEN_KEEPALIVE const double* marey_clip_numbers(const ModuleClip* clip) { return clip->numbers.data(); }
+
+}  // extern "C"
