@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -151,26 +152,45 @@ void RowWriter::write_gap(std::string_view gap) {
   }
 }
 
-/// Text behind the motion can be taken for rows or for a header when rows or header were repaired; for a header above all
-/// where no row stands between the two.
-bool reads_back_as(const Motion& motion, std::string_view tail, const std::string& text) {
+/// The clip that a text is read as, if it has this motion.
+std::optional<BvhClip> read_back(const Motion& motion, const std::string& text) {
   ReadOptions options;
   options.limits.max_frames = std::numeric_limits<int>::max();
   if (!kAddressesAre32Bit) options.limits.max_sample_bytes = std::numeric_limits<std::int64_t>::max();
-  const Result<BvhClip> again = read_bvh(text, options);
-  if (again && motion.frame_count() == 0 && !std::string_view(again->style.motion.tail).ends_with(tail)) return false;
-  return again && same_bits(again->motion.frame_time_s(), motion.frame_time_s()) &&
-         again->motion.frame_count() == motion.frame_count() &&
-         std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
-                    again->motion.samples().end(), same_bits<double>);
+  Result<BvhClip> again = read_bvh(text, options);
+  const bool is_same = again && same_bits(again->motion.frame_time_s(), motion.frame_time_s()) &&
+                       again->motion.frame_count() == motion.frame_count() &&
+                       std::equal(motion.samples().begin(), motion.samples().end(), again->motion.samples().begin(),
+                                  again->motion.samples().end(), same_bits<double>);
+  return is_same ? std::optional(std::move(*again)) : std::nullopt;
 }
 
-/// What commas mean is a matter of all rows together, see core/bvh/comma_habit.h.
+bool has_break(std::string_view gap) { return gap.find_first_of("\r\n") != std::string_view::npos; }
+
+/// Whether frames and lines are not the same: frames that go over several lines, or lines with several frames.
+bool has_wrapped_rows(const MotionStyle& style) {
+  const std::size_t channels = style.columns.size();
+  for (std::size_t i = 0; i < channels; ++i) {
+    if (has_break(style.columns[i].gap) != (i == 0)) return true;
+  }
+  for (std::size_t i = 0; i < style.odd_tokens.size(); ++i) {
+    const OddToken& odd = style.odd_tokens[i];
+    const std::string_view gap = odd_token_text(style, i).substr(0, odd.number_begin - odd.begin);
+    const bool begins_frame = odd.index % static_cast<std::int64_t>(channels) == 0;
+    if (odd.index > 0 && has_break(gap) != begins_frame) return true;
+  }
+  return false;
+}
+
 bool has_commas(const MotionStyle& style) {
+  if (style.odd_text.find_first_of(",;") != std::string::npos) return true;
   return std::any_of(style.columns.begin(), style.columns.end(), [](const ColumnStyle& column) {
     return column.format.point == ',' || column.gap.find_first_of(",;") != std::string::npos;
   });
 }
+
+/// What commas mean, see core/bvh/comma_habit.h, and where a frame ends that is no line, is a matter of all rows together.
+bool depends_on_all_rows(const MotionStyle& style) { return has_commas(style) || has_wrapped_rows(style); }
 
 /// Header and rows, without what stands behind them.
 std::string print(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style, const MotionStyle& rows) {
@@ -182,19 +202,27 @@ std::string print(const Skeleton& skeleton, const Motion& motion, const BvhStyle
   return out;
 }
 
+/// Text behind the motion can be taken for rows, or for a header above rows that are none; or it changes what is made of the
+/// commas before it. It can stay if what is read is written as it was.
+bool can_stay(const Motion& motion, const std::string& text) {
+  const std::optional<BvhClip> again = read_back(motion, text);
+  if (!again) return false;
+  return print(again->skeleton, again->motion, again->style, fitted_style(again->motion, again->style)) + again->style.motion.tail == text;
+}
+
 }  // namespace
 
 std::string write_bvh(const Skeleton& skeleton, const Motion& motion, const BvhStyle& style) {
   MotionStyle rows = fitted_style(motion, style);
   std::string out = print(skeleton, motion, style, rows);
-  if (has_commas(rows) && !reads_back_as(motion, {}, out + style.header.line_end)) {
+  if (depends_on_all_rows(rows) && !read_back(motion, out + style.header.line_end)) {
     give_each_frame_a_line(rows, style.header.line_end);
     out = print(skeleton, motion, style, rows);
   }
   const std::size_t end = out.size();
   out += style.motion.tail;
   const bool only_blanks = style.motion.tail.find_first_not_of(" \t\r\n") == std::string::npos;
-  if (!only_blanks && !reads_back_as(motion, style.motion.tail, out)) out.replace(end, std::string::npos, style.header.line_end);
+  if (!only_blanks && !can_stay(motion, out)) out.replace(end, std::string::npos, style.header.line_end);
   return style.encoding == TextEncoding::Bytes ? out : encoded_as_utf16(out, style.encoding);
 }
 
