@@ -1,3 +1,6 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -10,6 +13,7 @@
 #include "cli/json_text.h"
 #include "cli/report.h"
 #include "cli/table_output.h"
+#include "core/biomechanics/body_guess.h"
 #include "core/biomechanics/body_model_json.h"
 #include "core/biomechanics/quantity.h"
 #include "core/document/document.h"
@@ -21,6 +25,8 @@ struct AnalyseOptions {
   Input input;
   std::vector<std::string> quantities;
   std::string model;
+  std::string body;                ///< find_body_table(); empty: none
+  std::optional<double> mass_kg;
   std::string support = "auto";
   std::string derivative = "central";
   std::optional<double> frame_time_s;
@@ -54,6 +60,24 @@ std::optional<BodyModel> read_model(const std::string& file, const Skeleton& ske
   return std::nullopt;
 }
 
+/// Masses by a table; nothing if the figure is none of its kind, which has been reported.
+std::optional<BodyModel> make_body(const AnalyseOptions& options, const Clip& clip) {
+  const BodyTable table = *find_body_table(options.body);
+  const double mass_kg = options.mass_kg.value_or(usual_mass_kg(table));
+  Result<GuessedBody> body = guess_body(clip.skeleton, table, mass_kg, clip.settings.metres_per_unit);
+  if (!body) {
+    report_error(options.input.file, body.error());
+    return std::nullopt;
+  }
+  std::vector<std::string> parts;
+  for (const GuessedPart& part : body->parts) {
+    parts.push_back(fmt::format("{} {:.2f} kg on {}", part.name, part.mass_kg, clip.skeleton.name(part.joint)));
+  }
+  report_note(options.input.file, {}, fmt::format("Masses of {:g} kg: {}.", mass_kg, fmt::join(parts, ", ")));
+  for (const std::string& note : body->notes) report_note(options.input.file, {}, note);
+  return std::move(body->model);
+}
+
 /// What is wanted; nothing if it cannot be understood, which has been reported.
 std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const Clip& clip) {
   AnalysisRequest request;
@@ -66,6 +90,10 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
     return std::nullopt;
   }
   request.derivation = *derivation;
+  if (!options.body.empty()) {
+    request.model = make_body(options, clip);
+    return request.model ? std::optional(std::move(request)) : std::nullopt;
+  }
   if (options.model.empty()) return request;
   request.model = read_model(options.model, clip.skeleton);
   return request.model ? std::optional(std::move(request)) : std::nullopt;
@@ -99,6 +127,10 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
                       "potential_energy reaction cop; J is a joint, * is all")
       ->required();
   command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
+  CLI::Option* body = command->add_option("--body", options->body, "Masses by a table, by the names of the joints and the lengths of the bones")
+                          ->check(CLI::IsMember({"deleva-male", "deleva-female", "rods"}))
+                          ->excludes("--model");
+  command->add_option("--mass", options->mass_kg, "Mass of the body in kg, for --body")->check(CLI::Range(1e-3, 1e4))->needs(body);
   command->add_option("--support", options->support, "What holds the body")
       ->check(CLI::IsMember({"pivot", "flight", "ground", "auto"}))
       ->capture_default_str();

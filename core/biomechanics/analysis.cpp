@@ -210,7 +210,7 @@ Result<AnalysisTable> analyse(const Clip& clip, const AnalysisRequest& request) 
   const auto needs_body = std::find_if(asked->begin(), asked->end(), [](const AskedQuantity& a) { return a.quantity->needs_body; });
   if (needs_body != asked->end()) {
     if (!request.model) {
-      return refusal(fmt::format("'{}' needs the masses of the segments; give a model of the body.", needs_body->quantity->name));
+      return refusal(fmt::format("'{}' needs the masses of the segments; give a model of the body, or a table to make one by.", needs_body->quantity->name));
     }
     if (Status status = check_body_model(*request.model, clip.skeleton); !status) return status.error();
   }

@@ -5,7 +5,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { createMarey } from "../../dist/module/marey.js";
-import { refused, run, swing } from "./support/cli.mjs";
+import { refused, run, sample, swing } from "./support/cli.mjs";
 
 // Fixture D of the shared theory, section 7.3: 70 kg of average male proportions on the printed gymnast.
 const links = [[10, 0.0988, 0.5315, 0.2789], [12, 0.504, 0.3158, 0.4435], [16, 0.3972, 0.2899, 0.2536]];
@@ -63,12 +63,22 @@ describe("marey analyse", () => {
     assert.ok(table.header.includes("angle:Legs.z[rad]"));
   });
 
+  test("finds masses by names and bones", () => {
+    const table = tableOf("-q", "com,reaction", "--body", "deleva-male", "--mass", "70", "--frame-time", "0.066667");
+    assert.ok(Math.abs(Number(table.at("com.x[m]", 12)) - 0.49308) < 0.05, table.at("com.x[m]", 12));
+    const { stderr } = run(["analyse", sample("walk"), "-q", "com", "--body", "deleva-female"]);
+    assert.match(stderr, /note: Masses of 61\.9 kg: .*left thigh 9\.\d+ kg on /);
+    const rods = run(["analyse", sample("robot-arm"), "-q", "com", "--body", "rods"]);
+    assert.equal(rods.status, 0, rods.stderr);
+  });
+
   test("says what is wrong", () => {
     const broken = scratch("broken.json", `{"segments": [{"joint": "Arms"`);
     const noJoint = scratch("no_joint.json", JSON.stringify({ segments: [{ joint: "Head", mass_kg: 1, com_m: [0, 0, 0] }] }));
     for (const [args, pattern] of [
       [["-q", "torque:*"], /'torque' needs the masses of the segments/],
       [["-q", "torque:Head", "--model", modelFile()], /There is no joint 'Head'/],
+      [["-q", "com", "--mass", "70"], /--mass/],
       [["-q", "speed"], /'speed' is not a quantity; there are position, velocity/],
       [["-q", "com", "--model", broken], /broken\.json:1:\d+: error: The model is not valid JSON/],
       [["-q", "com", "--model", noJoint], /Segment 1 of the model hangs on a joint 'Head'/],

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/biomechanics/analysis.h"
+#include "core/biomechanics/body_guess.h"
 #include "core/biomechanics/body_model_json.h"
 #include "core/document/document.h"
 #include "wasm/bindings/module_clip.h"
@@ -15,9 +16,9 @@ using nlohmann::json;
 
 marey::Error refusal(std::string message) { return {marey::DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}}; }
 
-/// {"quantities": [...], "model": {...}, "support": "auto", "derivative": "central", "frameTime": 0.01}; all but the first may be
+/// {"quantities": [...], "model": {...} or "body": "rods" and "mass": 70, "support": "auto", "derivative": "central", "frameTime": 0.01}; all but the first may be
 /// missing.
-Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::Skeleton& skeleton) {
+Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::Clip& clip) {
   const json read = json::parse(text);  // it was made by JSON.stringify
   marey::AnalysisRequest request;
   for (const json& quantity : read.at("quantities")) request.quantities.push_back(quantity.get<std::string>());
@@ -28,15 +29,24 @@ Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::
   if (!derivation) return derivation.error();
   request.derivation = *derivation;
   if (read.contains("frameTime")) request.frame_time_s = read.at("frameTime").get<double>();
+  if (read.contains("body")) {
+    const marey::BodyTable* table = marey::find_body_table(read.at("body").get<std::string>());
+    if (table == nullptr) return refusal("The body is \"deleva-male\", \"deleva-female\" or \"rods\".");
+    const double mass_kg = read.value("mass", marey::usual_mass_kg(*table));
+    Result<marey::GuessedBody> body = marey::guess_body(clip.skeleton, *table, mass_kg, clip.settings.metres_per_unit);
+    if (!body) return body.error();
+    request.model = std::move(body->model);
+    return request;
+  }
   if (!read.contains("model")) return request;
-  Result<marey::BodyModel> model = marey::read_body_model(read.at("model"), skeleton);
+  Result<marey::BodyModel> model = marey::read_body_model(read.at("model"), clip.skeleton);
   if (!model) return model.error();
   request.model = std::move(*model);
   return request;
 }
 
 Result<marey::AnalysisTable> analyse(const marey::Clip& clip, std::string_view request_text) {
-  const Result<marey::AnalysisRequest> request = read_request(request_text, clip.skeleton);
+  const Result<marey::AnalysisRequest> request = read_request(request_text, clip);
   if (!request) return request.error();
   return marey::analyse(clip, *request);
 }

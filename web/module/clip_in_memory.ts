@@ -149,6 +149,9 @@ export class ClipInMemory implements Clip {
     if (options.frameTime !== undefined && !(options.frameTime > 0 && Number.isFinite(options.frameTime))) {
       throw new MareyError("invalid_argument", "The frame time is a number of seconds above 0.");
     }
+    if (options.mass !== undefined && !(options.mass > 0 && Number.isFinite(options.mass))) {
+      throw new MareyError("invalid_argument", "The mass is a number of kilograms above 0.");
+    }
     const request = new TextEncoder().encode(JSON.stringify(options));
     return withMemory(() => {
       const done = withBytes(this.module, request, (address) => this.module._marey_clip_analyse(handle, address, request.length));

@@ -118,7 +118,7 @@ TEST(Analysis, SaysWhatItCannotDo) {
   };
   AnalysisRequest request;
   request.quantities = {"torque:Arms"};
-  EXPECT_EQ(message_of(request), "'torque' needs the masses of the segments; give a model of the body.");
+  EXPECT_EQ(message_of(request), "'torque' needs the masses of the segments; give a model of the body, or a table to make one by.");
   request.model.emplace();
   EXPECT_EQ(message_of(request), "The body has no mass.");
   request.model = make_gymnast_model();
