@@ -210,17 +210,20 @@ Result<AnalysisTable> analyse(const Clip& clip, const AnalysisRequest& request) 
   const auto needs_body = std::find_if(asked->begin(), asked->end(), [](const AskedQuantity& a) { return a.quantity->needs_body; });
   if (needs_body != asked->end()) {
     if (!request.model) {
-      return refusal(fmt::format("'{}' needs the masses of the segments; give a model of the body, or a table to make one by.", needs_body->quantity->name));
+      return refusal(fmt::format("'{}' needs the masses of the segments; give a model of the body, or a table to make one by.",
+                                 needs_body->quantity->name));
     }
     if (Status status = check_body_model(*request.model, clip.skeleton); !status) return status.error();
   }
-  const double unit = request.model && request.model->metres_per_unit ? *request.model->metres_per_unit : clip.settings.metres_per_unit;
+  const bool has_unit = request.model && request.model->metres_per_unit;
+  const double unit = has_unit ? *request.model->metres_per_unit : clip.settings.metres_per_unit;
   const double frame_time = request.frame_time_s.value_or(clip.motion.frame_time_s());
   if (!(frame_time > 0.0)) return refusal("The clip has no frame time; give one.");
   Result<BodyMotion> body = find_body_motion(clip, request.derivation, frame_time, unit);
   if (!body) return body.error();
   Analysis analysis(clip, request, std::move(*body));
-  const bool has_points = std::any_of(asked->begin(), asked->end(), [](const AskedQuantity& a) { return a.quantity->owner == QuantityOwner::Point; });
+  const bool has_points = std::any_of(asked->begin(), asked->end(),
+                                      [](const AskedQuantity& a) { return a.quantity->owner == QuantityOwner::Point; });
   if (has_points) analysis.find_positions();
   if (needs_body != asked->end()) analysis.find_mechanics();
   AnalysisTable table;

@@ -168,7 +168,8 @@ void BodyGuess::add_both_limbs(JointIndex joint, std::array<BodyPart, 3> parts) 
   double at = 0.0;
   for (const BodyPart part : parts) {
     const double end = at + proportions_of(table_, part).length_mm / total;
-    add_part(joint, part, part == BodyPart::Foot ? "both feet" : fmt::format("both {}s", body_part_name(part)), near + at * (far - near), near + end * (far - near), 2.0);
+    std::string name = part == BodyPart::Foot ? "both feet" : fmt::format("both {}s", body_part_name(part));
+    add_part(joint, part, std::move(name), near + at * (far - near), near + end * (far - near), 2.0);
     at = end;
   }
 }
