@@ -54,7 +54,6 @@ const pictures = {
   append: { step: `append from=${sample}` },
   splice: { before: ["hold joints=LeftKnee"], step: `splice from=${sample} joints=LeftKnee frames=70:110 blend-in=8 blend-out=8` },
   "change-order": { step: "change-order order=xyz joints=LeftShoulder", channel: "LeftShoulder Zrotation" },
-  "fill-gaps": { step: `fill-gaps ${knee}`, gaps: [[40, 52], [96, 118], [150, 156]] },
   "up-axis": { step: "up-axis to=z", figure: true },
   "rest-pose": { step: "rest-pose frame=40", figure: true },
   "scale-figure": { step: "scale-figure factor=0.7", figure: true },
@@ -77,36 +76,19 @@ const pictures = {
   "layer-weight": { before: layer, step: "layer-weight value=0.5" },
   rename: { step: "rename from=Left* to=L_*", names: true },
   // No curve, bone or name looks different: channels, layers, locks and what is the same by other means.
-  "to-samples": null, "remove-positions": null, "layer-rename": null, "layer-order": null, "layer-lock": null,
+  "fill-gaps": null, "to-samples": null, "remove-positions": null, "layer-rename": null, "layer-order": null, "layer-lock": null,
   "layers-bake": null,
 };
 
-/** The sample without a channel's numbers in ranges of frames, as recorders leave them that lost a marker. */
-function withGaps(channel, gaps) {
-  const text = readFileSync(sample, "utf8");
-  const column = parseBvh(text).columns.indexOf(channel);
-  const lines = text.trimEnd().split("\n");
-  const first = lines.findIndex((line) => line.startsWith("Frame Time")) + 1;
-  for (const [from, to] of gaps) {
-    for (let frame = from; frame <= to; frame++) {
-      const words = lines[first + frame - 1].trim().split(/\s+/);
-      words[column] = "nan";
-      lines[first + frame - 1] = words.join(" ");
-    }
-  }
-  return `${lines.join("\n")}\n`;
-}
-
-function edited(steps, input = readFileSync(sample, "utf8")) {
-  if (steps.length === 0) return parseBvh(input);
-  const { ok, stdout, stderr } = capture(marey, ["edit", "-", "-", ...steps.flatMap((step) => ["--do", step])], { input });
+function edited(steps) {
+  if (steps.length === 0) return parseBvh(readFileSync(sample, "utf8"));
+  const { ok, stdout, stderr } = capture(marey, ["edit", sample, "-", ...steps.flatMap((step) => ["--do", step])]);
   if (!ok) throw new Failure(`${steps.join(" | ")}: ${stderr}`);
   return parseBvh(stdout);
 }
 
-function pictureOf({ before = [], step, channel = "LeftKnee Xrotation", figure = false, byTime = false, names = false, gaps = [] }) {
-  const input = gaps.length > 0 ? withGaps(channel, gaps) : undefined;
-  const [from, to] = [edited(before, input), edited([...before, step], input)];
+function pictureOf({ before = [], step, channel = "LeftKnee Xrotation", figure = false, byTime = false, names = false }) {
+  const [from, to] = [edited(before), edited([...before, step])];
   const caption = step.replaceAll(sample, "walk.bvh");
   if (names) return namesPlot({ caption, before: namesOf(from), after: namesOf(to) });
   if (figure) return figurePlot({ caption, before: restPose(from), after: restPose(to) });

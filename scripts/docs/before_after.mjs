@@ -26,7 +26,7 @@ function ticks(low, high, most) {
 export function beforeAfterPlot({ caption, title, unit, before, after }) {
   const all = [...before, ...after];
   const xs = all.map(([x]) => x);
-  const ys = all.map(([, y]) => y).filter(Number.isFinite);
+  const ys = all.map(([, y]) => y);
   const [left, right] = [Math.min(...xs), Math.max(...xs)];
   const margin = 0.06 * (Math.max(...ys) - Math.min(...ys) || 1);
   const [low, high] = [Math.min(...ys) - margin, Math.max(...ys) + margin];
@@ -36,21 +36,11 @@ export function beforeAfterPlot({ caption, title, unit, before, after }) {
     `<line x1="${size.left}" x2="${size.width - size.right}" y1="${y(tick).toFixed(1)}" y2="${y(tick).toFixed(1)}" stroke="${ink}" stroke-opacity="0.3"/>` +
     words(size.left - 6, y(tick) + 4, `${tick}${unit === "°" ? "°" : ""}`, "end"));
   const along = ticks(left, right, 8).map((tick) => words(x(tick), size.height - size.bottom + 14, String(tick), "middle"));
-  const line = (points, color, width) => runsOf(points).map((run) =>
-    `<polyline points="${run.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ")}" fill="none" stroke="${color}" stroke-width="${width}"/>`).join("\n");
+  const line = (points, color, width) =>
+    `<polyline points="${points.map(([a, b]) => `${x(a).toFixed(1)},${y(b).toFixed(1)}`).join(" ")}" fill="none" stroke="${color}" stroke-width="${width}"/>`;
   const units = unit === "°" ? title : `${title}, ${unit}`;
   return frame([captionOf(caption), ...grid, ...along, line(before, grey, 2), line(after, blue, 1.75),
     words(size.left, size.height - 5, units), words(size.width - size.right, size.height - 5, "frame", "end")].join("\n"));
-}
-
-/** A curve's pieces between its gaps. */
-function runsOf(points) {
-  const runs = [[]];
-  for (const point of points) {
-    if (Number.isFinite(point[1])) runs.at(-1).push(point);
-    else if (runs.at(-1).length > 0) runs.push([]);
-  }
-  return runs.filter((run) => run.length > 0);
 }
 
 /** The names that change, before in grey and after in blue, in as many columns as are needed. */

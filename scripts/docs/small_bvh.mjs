@@ -26,7 +26,6 @@ export function parseBvh(text) {
   const rows = lines.slice(2).map((row) => row.trim().split(/\s+/).map(Number));
   return {
     joints,
-    columns,
     frameTime: Number(lines[1].split(":")[1]),
     curve(channel) {
       const column = columns.indexOf(channel);
