@@ -145,9 +145,9 @@ void OperationForm::draw_choice(ViewContext& context, const OperationParameter& 
 void OperationForm::draw_file(ViewContext& context, const OperationParameter& parameter) {
   inspector::begin_row(context, parameter.label);
   const SmallText id("operation.value.{}", parameter.name);
-  const std::string name = other_ ? ui::displayable(other_->file_name) : "Choose…";
-  if (ui::text_button(context, id.c_str(), name, parameter.help)) context.commands.run("file.open_other", nullptr);
+  if (ui::text_button(context, id.c_str(), "Choose…", parameter.help)) context.commands.run("file.open_other", nullptr);
   inspector::end_row();
+  if (other_) inspector::known_text_row(context, "operation.other", "", ui::displayable(other_->file_name));
 }
 
 void OperationForm::draw_parameter(ViewContext& context, const OperationParameter& parameter, std::size_t place) {
