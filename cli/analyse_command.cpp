@@ -125,7 +125,9 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
                       "What to write, apart by commas: position:J velocity:J acceleration:J angle:J angular_velocity:J "
                       "angular_acceleration:J force:J torque:J power:J com com_velocity momentum angular_momentum kinetic_energy "
                       "potential_energy reaction cop; J is a joint, * is all")
-      ->required();
+      ->required()
+      ->expected(1)
+      ->take_all();
   command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
   CLI::Option* body = command->add_option("--body", options->body, "Masses by a table, by the names of the joints and the lengths of the bones")
                           ->check(CLI::IsMember({"deleva-male", "deleva-female", "rods"}))

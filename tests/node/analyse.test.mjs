@@ -61,6 +61,7 @@ describe("marey analyse", () => {
     const table = tableOf("-q", "angular_velocity:Arms", "-q", "velocity:Legs_end angle:*");
     assert.ok(Math.abs(Number(table.at("angular_velocity:Arms.z[rad/s]", 10)) - 11.3622) < 1e-4);
     assert.ok(table.header.includes("angle:Legs.z[rad]"));
+    assert.equal(run(["analyse", "-q", "angle:*", swing]).status, 0);
   });
 
   test("finds masses by names and bones", () => {
