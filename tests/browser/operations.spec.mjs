@@ -59,10 +59,15 @@ test("another clip is appended, and joints are spliced from it", async ({ marey,
   await openForm(marey, page, "append", "Append clip");
   await marey.chooseFile(path, () => marey.click("operation.value.from"));
   await marey.expectState(({ otherFile, file }) => [otherFile, file], ["other arm.bvh", "arm.bvh"]);
+  // The arm stands on no ground along which it could be moved.
+  expect((await marey.item("operation.refusal")).label).toContain("position");
+  await marey.click("operation.value.align");
+  await marey.click("operation.value.align.no");
   await marey.expectState(({ undoDepth }) => undoDepth, 1);
+  expect((await marey.item("operation.other")).label).toBe("other arm.bvh");
+  await marey.picture("append");
   const { frames } = await marey.state();
   await marey.click("operation.apply");
-  await marey.picture("append");
   await marey.command("edit.undo");
   expect(await marey.save()).toBe(text);
   expect(frames).toBeGreaterThan((await marey.state()).frames);
