@@ -21,8 +21,9 @@ class LayerSolver {
 
   [[nodiscard]] bool counts() const { return weight_ > 0.0 && is_active(stack_, layer_index_); }
 
-  /// `samples` are wanted ones of channels that move with each other.
-  [[nodiscard]] bool solve(ChannelSamples samples, ChannelValues& values) const {
+  /// `samples` are those that the channels which move with each other are to have. A layer that sums angles gets values for
+  /// the `wanted` ones of them alone.
+  [[nodiscard]] bool solve(ChannelSamples samples, const ChannelValues& wanted, ChannelValues& values) const {
     const FrameRange frames{frame_, 1};
     if (!take_off(skeleton_, stack_, layer_index_ + 1, frames, samples)) return false;
     ChannelSamples beneath;
@@ -36,6 +37,7 @@ class LayerSolver {
       return solve_rotation(samples, beneath, values);
     }
     for (const auto& [channel, sample] : samples) {
+      if (layer_.sums_angles && !wanted.contains(channel)) continue;
       const double difference = (sample[0] - beneath.at(channel)[0]) / weight_;
       values[channel] = layer_.mode == LayerMode::Additive ? difference
                         : weight_ == 1.0                   ? sample[0]
@@ -106,10 +108,7 @@ std::optional<ChannelValues> solve_layer_values(const Skeleton& skeleton, const 
       samples[channel] = {found == wanted.end() ? result.sample(channel, frame) : found->second};
       done.insert(channel);
     }
-    if (stack.layers[idx(layer)].sums_angles) {
-      std::erase_if(samples, [&](const auto& sample) { return !wanted.contains(sample.first); });
-    }
-    if (!solver.solve(std::move(samples), values)) return std::nullopt;
+    if (!solver.solve(std::move(samples), wanted, values)) return std::nullopt;
   }
   return values;
 }

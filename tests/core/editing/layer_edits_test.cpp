@@ -335,6 +335,30 @@ TEST(Keys, OfAChannelItselfAreItsSamples) {
   EXPECT_EQ(clip.motion.sample(0, 2), -7.0);
 }
 
+// The layer that turns the joint needs all of its angles, the one that sums them has a key for one.
+TEST(Layers, SetKeysOnASumBesideATurn) {
+  const Clip original = make_clip(3, 12);
+  const ChannelIndex channel = original.skeleton.first_channel(1);
+  ASSERT_EQ(channels_moved_with(original.skeleton, channel).size(), 3u);
+  for (const bool sum_is_above : {true, false}) {
+    LayerStack stack;
+    for (const bool sums : {!sum_is_above, sum_is_above}) {
+      Layer& layer = stack.layers.emplace_back();
+      layer.name = sums ? "Sum" : "Turn";
+      layer.sums_angles = sums;
+      layer.curves[channel] = keys_of({{0.0, 10.0}, {11.0, -20.0}});
+    }
+    const Clip clip = with_stack(original, stack);
+    const double wanted = clip.motion.sample(channel, 5) + 7.0;
+    const auto edit = make_pose_key_edit(clip, "Key", sum_is_above ? 1 : 0, 5, {{channel, wanted}});
+    ASSERT_TRUE(edit) << edit.error().message;
+    Clip changed = clip;
+    History history;
+    ASSERT_TRUE(history.apply(changed, *edit));
+    EXPECT_NEAR(changed.motion.sample(channel, 5), wanted, 1e-9) << sum_is_above;
+  }
+}
+
 TEST(LayerEdits, AChangeOfALockedLayerIsRefusedButForItsSwitches) {
   Clip clip = make_clip(3, 10);
   LayerStack stack;
