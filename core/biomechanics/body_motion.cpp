@@ -42,7 +42,6 @@ Result<BodyMotion> find_body_motion(const Clip& clip, const Derivation& derivati
   body.frame_count = clip.motion.frame_count();
   body.frame_time_s = frame_time_s;
   body.metres_per_unit = metres_per_unit;
-  body.uncertain_ends = derivation.kind == DerivationKind::SavitzkyGolay ? derivation.window / 2 : 1;
   body.states.resize(idx(body.frame_count) * idx(body.joint_count));
   const JointState world;
   for (FrameIndex frame = 0; frame < body.frame_count; ++frame) {

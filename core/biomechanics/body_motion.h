@@ -27,8 +27,6 @@ struct BodyMotion {
   int frame_count = 0;
   double frame_time_s = 0.0;
   double metres_per_unit = 0.01;
-  /// First and last frames that are known worse than the others: differences are one-sided there.
-  int uncertain_ends = 1;
   std::vector<JointState> states;  ///< [frame][joint]
 
   [[nodiscard]] const JointState& state(FrameIndex frame, JointIndex joint) const {

@@ -57,8 +57,6 @@ Status add_owners(const Skeleton& skeleton, const Quantity& quantity, std::strin
 
 }  // namespace
 
-std::span<const Quantity> known_quantities() { return kQuantities; }
-
 Result<std::vector<AskedQuantity>> find_quantities(const Skeleton& skeleton, std::span<const std::string> texts) {
   std::vector<AskedQuantity> asked;
   for (const std::string& text : texts) {

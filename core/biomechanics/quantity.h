@@ -27,7 +27,7 @@ enum class QuantityOwner : std::uint8_t {
   BodyOrJoint,  ///< of the whole body, or with regard to a joint
 };
 
-/// A quantity as a value; the one table of them drives the command line, the page and the module.
+/// A quantity as a value; one table has them all.
 struct Quantity {
   std::string_view name;
   QuantityKind kind = QuantityKind::Position;
@@ -37,8 +37,6 @@ struct Quantity {
   bool is_vector = true;
   std::string_view unit;
 };
-
-[[nodiscard]] std::span<const Quantity> known_quantities();
 
 /// One quantity of one owner.
 struct AskedQuantity {

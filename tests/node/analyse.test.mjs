@@ -118,6 +118,9 @@ describe("clip.analyse", () => {
     assert.equal(code(() => clip.analyse({ quantities: ["com"], model: {} })), "invalid_argument");
     assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], support: "rope" })), "invalid_argument");
     assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], frameTime: -1 })), "invalid_argument");
+    for (const name of ["body", "support", "derivative"]) {
+      assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], [name]: 5 })), "invalid_argument", name);
+    }
     clip.dispose();
   });
 });

@@ -146,6 +146,11 @@ export class ClipInMemory implements Clip {
     if (!Array.isArray(options.quantities) || options.quantities.some((quantity) => typeof quantity !== "string")) {
       throw new MareyError("invalid_argument", "Quantities are a list of texts.");
     }
+    for (const name of ["body", "support", "derivative"] as const) {
+      if (options[name] !== undefined && typeof options[name] !== "string") {
+        throw new MareyError("invalid_argument", `"${name}" is a text.`);
+      }
+    }
     if (options.frameTime !== undefined && !(options.frameTime > 0 && Number.isFinite(options.frameTime))) {
       throw new MareyError("invalid_argument", "The frame time is a number of seconds above 0.");
     }
