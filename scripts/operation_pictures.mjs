@@ -15,6 +15,20 @@ const keyed = ["to-keys tolerance=2 joints=LeftKnee"];
 const knee = "joints=LeftKnee";
 const part = `${knee} frames=70:110`;
 
+/** A chain as some programs write it, with a position in each joint. */
+const sixChannels = `HIERARCHY
+ROOT Hips
+{
+OFFSET 0 90 0
+CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+${["Spine", "Chest", "Head"].map((name) => `JOINT ${name}\n{\nOFFSET 0 20 0\n\
+CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation\n`).join("")}End Site\n{\nOFFSET 0 15 0\n}\n}\n}\n}\n}
+MOTION
+Frames: 1
+Frame Time: 0.01
+0 90 0 0 0 0 ${"0 20 0 0 0 0 ".repeat(3)}
+`;
+
 /** What each picture shows: `before` and `step` on a channel, or on the rest pose. */
 const pictures = {
   smooth: { before: [noisy], step: `smooth sigma=3 ${part} blend-in=5 blend-out=5` },
@@ -22,6 +36,7 @@ const pictures = {
   "savitzky-golay": { before: [noisy], step: `savitzky-golay window=15 ${knee}` },
   median: { before: [noisy], step: `median window=9 ${knee}` },
   despike: { before: [`offset by=25 ${knee} frames=80`, `offset by=20 ${knee} frames=145`], step: `despike ${knee}` },
+  "fill-gaps": { before: [`hold ${part}`], step: `fill-gaps still=10 ${knee}` },
   scale: { step: `scale factor=1.5 ${part} blend-in=10 blend-out=10` },
   offset: { step: `offset by=15 ${part} blend-in=10 blend-out=10` },
   "time-offset": { step: `time-offset by=10 ${knee} ends=loop` },
@@ -62,38 +77,46 @@ const pictures = {
   reparent: { step: "reparent joints=LeftShoulder to=Hips", figure: true },
   "to-keys": { step: `to-keys tolerance=4 interpolation=linear ${knee}` },
   key: { before: layer.slice(0, 2), step: "key layer=Fix joints=LeftKnee channels=Xrotation frame=90 value=-20" },
-  "key-insert": null,
   "key-delete": { before: keyed, step: `key-delete ${part}` },
   "key-move": { before: keyed, step: `key-move by=6 value=-10 ${part}` },
   "key-interpolation": { before: keyed, step: `key-interpolation interpolation=linear ${knee}` },
   "key-handles": { before: keyed, step: `key-handles kind=flat ${knee}` },
   "key-extrapolation": { before: keyed.concat(`key-delete ${knee} frames=100:192`), step: `key-extrapolation behind=cycle ${knee}` },
-  "layer-add": null,
   "layer-delete": { before: layer, step: "layer-delete" },
   "layer-mute": { before: layer, step: "layer-mute" },
   "layer-solo": { before: [...layer, "layer-add name=Other"], step: "layer-solo layer=Other" },
   "layer-mode": { before: layer, step: "layer-mode mode=override" },
   "layer-weight": { before: layer, step: "layer-weight value=0.5" },
   rename: { step: "rename from=Left* to=L_*", names: true },
-  // No curve, bone or name looks different: channels, layers, locks and what is the same by other means.
-  "fill-gaps": null, "to-samples": null, "remove-positions": null, "layer-rename": null, "layer-order": null, "layer-lock": null,
+  "remove-positions": { clip: sixChannels, step: "remove-positions", channels: true },
+  // Layers, locks and keys are shown by the page: page_pictures.mjs.
+  "to-samples": null, "key-insert": null, "layer-add": null, "layer-rename": null, "layer-order": null, "layer-lock": null,
   "layers-bake": null,
 };
 
-function edited(steps) {
-  if (steps.length === 0) return parseBvh(readFileSync(sample, "utf8"));
-  const { ok, stdout, stderr } = capture(marey, ["edit", sample, "-", ...steps.flatMap((step) => ["--do", step])]);
+function edited(steps, clip) {
+  const input = clip ?? readFileSync(sample, "utf8");
+  if (steps.length === 0) return parseBvh(input);
+  const { ok, stdout, stderr } = capture(marey, ["edit", "-", "-", ...steps.flatMap((step) => ["--do", step])], { input });
   if (!ok) throw new Failure(`${steps.join(" | ")}: ${stderr}`);
   return parseBvh(stdout);
 }
 
-function pictureOf({ before = [], step, channel = "LeftKnee Xrotation", figure = false, byTime = false, names = false }) {
-  const [from, to] = [edited(before), edited([...before, step])];
+function pictureOf({ clip, before = [], step, channel = "LeftKnee Xrotation", figure, byTime, names, channels }) {
+  const [from, to] = [edited(before, clip), edited([...before, step], clip)];
   const caption = step.replaceAll(sample, "walk.bvh");
   if (names) return namesPlot({ caption, before: namesOf(from), after: namesOf(to) });
+  if (channels) return namesPlot({ caption, before: channelsOf(from), after: channelsOf(to) });
   if (figure) return figurePlot({ caption, before: restPose(from), after: restPose(to) });
   const curve = (clip) => clip.curve(channel).map((value, i) => [byTime ? i * clip.frameTime * 60 + 1 : i + 1, value]);
   return beforeAfterPlot({ caption, title: channel, unit: channel.endsWith("position") ? "cm" : "°", before: curve(from), after: curve(to) });
+}
+
+function channelsOf({ joints, channels }) {
+  return namesOf({ joints }).map((name) => {
+    const own = channels.filter((channel) => channel.startsWith(`${name} `)).map((channel) => channel.split(" ")[1]);
+    return `${name}: ${own.map((kind) => kind[0] + (kind.endsWith("position") ? "pos" : "rot")).join(" ")}`;
+  });
 }
 
 function namesOf({ joints }) {

@@ -51,14 +51,29 @@ double polynomial_at(Neighbours points, double frame) {
   return points.values[0];
 }
 
+// Behind the samples from `frame` on that are equal, or all not finite.
+FrameIndex end_of_run(std::span<const double> curve, FrameIndex frame) {
+  const double value = curve[idx(frame)];
+  const auto goes_on = [value](double other) { return std::isfinite(value) ? other == value : !std::isfinite(other); };
+  FrameIndex end = frame + 1;
+  while (end < size_of(curve) && goes_on(curve[idx(end)])) ++end;
+  return end;
+}
+
 }  // namespace
 
-std::vector<FrameRange> find_gaps(std::span<const double> curve) {
+std::vector<FrameRange> find_gaps(std::span<const double> curve, int still_frames) {
   std::vector<FrameRange> gaps;
-  for (FrameIndex frame = 0; frame < size_of(curve); ++frame) {
-    if (std::isfinite(curve[idx(frame)])) continue;
-    if (gaps.empty() || gaps.back().end() != frame) gaps.push_back({frame, 0});
-    ++gaps.back().count;
+  const auto add = [&gaps](FrameIndex first, FrameIndex end) {
+    if (first == end) return;
+    if (gaps.empty() || gaps.back().end() != first) gaps.push_back({first, 0});
+    gaps.back().count = end - gaps.back().first;
+  };
+  for (FrameIndex frame = 0; frame < size_of(curve);) {
+    const FrameIndex end = end_of_run(curve, frame);
+    if (!std::isfinite(curve[idx(frame)])) add(frame, end);
+    else if (still_frames > 0 && end - frame > still_frames) add(frame + 1, end);
+    frame = end;
   }
   return gaps;
 }

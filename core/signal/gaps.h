@@ -14,8 +14,9 @@ enum class GapFill : std::uint8_t {
   Cubic,   ///< the polynomial through two samples on either side; through fewer where there are no more
 };
 
-/// The runs of samples that are not finite.
-[[nodiscard]] std::vector<FrameRange> find_gaps(std::span<const double> curve);
+/// The runs of samples that are not finite. With `still_frames` > 0 also those that repeat the sample before them to the bit,
+/// that many times or more: what a recording leaves where it lost sight.
+[[nodiscard]] std::vector<FrameRange> find_gaps(std::span<const double> curve, int still_frames = 0);
 
 /// Gives the samples of `gaps` new values; `gaps` rise and lie apart. A gap at an end of the curve takes the value of its
 /// only neighbour. Neighbours that are not finite do not count; without any the gap stays.

@@ -1,6 +1,6 @@
 // As much of BVH as pictures need, of texts that marey wrote.
 
-/** `joints` with parent and offset, the frame time, and curve("Joint Channel"). */
+/** `joints` with parent and offset, `channels` as "Joint Channel", the frame time, and curve("Joint Channel"). */
 export function parseBvh(text) {
   const [head, motion] = text.split("MOTION");
   const joints = [];
@@ -26,6 +26,7 @@ export function parseBvh(text) {
   const rows = lines.slice(2).map((row) => row.trim().split(/\s+/).map(Number));
   return {
     joints,
+    channels: columns,
     frameTime: Number(lines[1].split(":")[1]),
     curve(channel) {
       const column = columns.indexOf(channel);

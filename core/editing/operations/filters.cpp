@@ -97,10 +97,11 @@ Outcome make_despike_edit(const OperationCall& call) {
 Outcome make_fill_gaps_edit(const OperationCall& call) {
   const GapFill fill = call.choice("method") == "linear" ? GapFill::Linear : GapFill::Cubic;
   const int longest = call.whole("longest");
+  const int still = call.whole("still");
   std::vector<double> whole(idx(call.clip.motion.frame_count()));
   const auto work = [&](const Curve& curve, std::span<double> values) {
     std::copy(curve.samples.begin(), curve.samples.end(), whole.begin());
-    std::vector<FrameRange> gaps = find_gaps(curve.samples);
+    std::vector<FrameRange> gaps = find_gaps(curve.samples, still);
     if (longest > 0) std::erase_if(gaps, [longest](const FrameRange& gap) { return gap.count > longest; });
     fill_gaps(whole, gaps, fill);
     std::copy_n(whole.begin() + curve.frames.first, curve.frames.count, values.begin());
@@ -135,7 +136,10 @@ constexpr OperationParameter kFillGaps[] = {
     {.name = "method", .label = "Method", .help = "A smooth curve or a straight line between the neighbours.",
      .kind = ParameterKind::Choice, .most = 1.0, .choices = kGapMethods},
     {.name = "longest", .label = "Longest gap", .unit = "frames", .help = "Longer gaps are left; 0 fills all.",
-     .kind = ParameterKind::Whole, .initial = 0.0, .least = 0.0, .most = 1e6}};
+     .kind = ParameterKind::Whole, .initial = 0.0, .least = 0.0, .most = 1e6},
+    {.name = "still", .label = "Still from", .unit = "frames",
+     .help = "Values that repeat the one before so often are gaps too; 0 keeps them.", .kind = ParameterKind::Whole,
+     .initial = 0.0, .least = 0.0, .most = 1e6}};
 
 constexpr Operation kFilters[] = {
     {.id = "smooth", .label = "Smooth", .group = "Filter",
@@ -152,7 +156,7 @@ constexpr Operation kFilters[] = {
      .help = "Finds single frames that stand out from both sides, and puts a smooth curve in their place.",
      .parameters = kDespike, .make = make_despike_edit},
     {.id = "fill-gaps", .label = "Fill gaps", .group = "Filter",
-     .help = "Gives samples that are not numbers a value from their neighbours.", .parameters = kFillGaps,
+     .help = "Gives samples that are missing, or stand still, a value from their neighbours.", .parameters = kFillGaps,
      .make = make_fill_gaps_edit}};
 
 }  // namespace

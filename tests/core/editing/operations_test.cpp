@@ -135,6 +135,13 @@ TEST(FillGaps, FillsWithinTheRangeAndNoLongerOnes) {
   EXPECT_TRUE(std::isnan(changed(curve, "fill-gaps", {}, {2, 4})[1]));
 }
 
+TEST(FillGaps, FillsWhatStandsStill) {
+  const std::vector<double> curve = {0, 1, 2, 2, 2, 2, 6, 7, 7, 8};
+  const auto filled = changed(curve, "fill-gaps", {{"still", 3.0}, {"method", choice_of("fill-gaps", "method", "linear")}});
+  EXPECT_THAT(filled, Pointwise(DoubleNear(1e-12), {0, 1, 2, 3, 4, 5, 6, 7, 7, 8}));
+  EXPECT_THAT(changed(curve, "fill-gaps", {}), testing::ElementsAreArray(curve));
+}
+
 TEST(Scale, KnowsItsPivots) {
   const std::vector<double> curve = {1, 2, 3, 6};
   const auto scaled = [&](std::string_view pivot) {

@@ -81,6 +81,14 @@ TEST(Gaps, AreRunsOfWhatIsNotFinite) {
   EXPECT_THAT(find_gaps(std::vector<double>{}), IsEmpty());
 }
 
+TEST(Gaps, AreAlsoWhatStandsStillWhereThatIsAsked) {
+  const std::vector<double> curve = {1, 1, 2, 3, 3, 3, 3, kNan, 4, 4, 4, 4};
+  EXPECT_THAT(find_gaps(curve), ElementsAre(FrameRange{7, 1}));
+  EXPECT_THAT(find_gaps(curve, 3), ElementsAre(FrameRange{4, 4}, FrameRange{9, 3}));
+  EXPECT_THAT(find_gaps(curve, 4), ElementsAre(FrameRange{7, 1}));
+  EXPECT_THAT(find_gaps(curve, 1), ElementsAre(FrameRange{1, 1}, FrameRange{4, 4}, FrameRange{9, 3}));
+}
+
 TEST(Gaps, AreFilledByLinesAndCubics) {
   const auto cubic = [](double x) { return 2.0 - 0.5 * x + 0.3 * x * x - 0.01 * x * x * x; };
   std::vector<double> curve;
