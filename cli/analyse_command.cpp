@@ -115,6 +115,15 @@ ExitCode run_analyse(const AnalyseOptions& options) {
                               clip.motion.frame_count());
 }
 
+std::string quantity_list() {
+  std::string list;
+  for (const Quantity& quantity : quantities()) {
+    const bool of_joint = quantity.owner == QuantityOwner::Point || quantity.owner == QuantityOwner::Joint;
+    list += fmt::format("{}{}{}", list.empty() ? "" : " ", quantity.name, of_joint ? ":J" : "");
+  }
+  return list;
+}
+
 }  // namespace
 
 void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
@@ -122,9 +131,7 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("analyse", "Write quantities of kinematics and mechanics as CSV, in SI units");
   add_input(*command, options->input);
   command->add_option("-q,--quantities", options->quantities,
-                      "What to write, apart by commas: position:J velocity:J acceleration:J angle:J angular_velocity:J "
-                      "angular_acceleration:J force:J torque:J power:J com com_velocity momentum angular_momentum kinetic_energy "
-                      "potential_energy reaction cop; J is a joint, * is all")
+                      "What to write, apart by commas: " + quantity_list() + "; J is a joint, * is all")
       ->required()
       ->expected(1)
       ->take_all();

@@ -19,7 +19,7 @@ add_compile_options(-ffp-contract=off)
 if(EMSCRIPTEN)
   # A want of memory is an exception, which the bindings and the program's panels catch: docs/decisions/out-of-memory.md.
   # clang 14 joins neighbouring numbers into wrong lanes: docs/decisions/wasm-build.md.
-  add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions)
+  add_compile_options(-msimd128 -fno-slp-vectorize -fwasm-exceptions -fno-rtti)
   add_link_options(-fwasm-exceptions)
   if(EMSCRIPTEN_VERSION VERSION_LESS 3.1.25)
     add_link_options(-sTOTAL_STACK=1MB)

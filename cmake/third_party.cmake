@@ -50,7 +50,7 @@ if(EXISTS "${MAREY_IMGUI_DIR}/imgui.cpp")
   target_include_directories(imgui SYSTEM PUBLIC "${MAREY_IMGUI_DIR}")
   # WebGL 2 has no base vertex, and a window full of curves can have more than 65536 vertices.
   target_compile_definitions(imgui PUBLIC IMGUI_DISABLE_OBSOLETE_FUNCTIONS IMGUI_DISABLE_DEMO_WINDOWS
-    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS "ImDrawIdx=unsigned int")
+    IMGUI_DISABLE_FILE_FUNCTIONS IMGUI_DISABLE_DEFAULT_SHELL_FUNCTIONS IMGUI_DISABLE_DEFAULT_FONT "ImDrawIdx=unsigned int")
   if(EMSCRIPTEN)
     set(renderer "${MAREY_IMGUI_DIR}/backends/imgui_impl_opengl3.cpp")
     target_sources(imgui PRIVATE "${renderer}")

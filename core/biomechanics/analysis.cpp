@@ -18,6 +18,12 @@ constexpr double kNotDefined = std::numeric_limits<double>::quiet_NaN();
 
 Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}}; }
 
+AnalysisColumn make_column(const AskedQuantity& asked, char component) {
+  const std::string_view unit = asked.quantity->unit;
+  std::string name = component == 0 ? fmt::format("{}[{}]", asked.label, unit) : fmt::format("{}.{}[{}]", asked.label, component, unit);
+  return {std::move(name), asked.label, component, unit, {}};
+}
+
 /// All that columns are made of; mechanics only where the request needs them.
 class Analysis {
  public:
@@ -152,7 +158,7 @@ void Analysis::add_angles(const AskedQuantity& asked, AnalysisTable& table) cons
     const ChannelIndex channel = clip_.skeleton.first_channel(joint) + i;
     const ChannelKind kind = clip_.skeleton.channel(channel).kind;
     if (!is_rotation(kind)) continue;
-    AnalysisColumn column{fmt::format("{}.{}[rad]", asked.label, "xyz"[static_cast<int>(axis_of(kind))]), {}};
+    AnalysisColumn column = make_column(asked, "xyz"[static_cast<int>(axis_of(kind))]);
     double previous_deg = 0.0;
     for (const double sample : clip_.motion.channel_samples(channel)) {
       previous_deg = column.values.empty() ? sample : nearest_turn(sample, previous_deg);
@@ -168,8 +174,7 @@ void Analysis::add_columns(const AskedQuantity& asked, AnalysisTable& table) con
   const int components = quantity.is_vector ? 3 : 1;
   const std::size_t first = table.columns.size();
   for (int c = 0; c < components; ++c) {
-    const std::string component = quantity.is_vector ? fmt::format(".{}", "xyz"[c]) : std::string();
-    table.columns.push_back({fmt::format("{}{}[{}]", asked.label, component, quantity.unit), {}});
+    table.columns.push_back(make_column(asked, quantity.is_vector ? "xyz"[c] : '\0'));
     table.columns.back().values.assign(idx(body_.frame_count), kNotDefined);
   }
   const PointTrack track = quantity.owner == QuantityOwner::Point ? track_of(asked.node) : PointTrack{};

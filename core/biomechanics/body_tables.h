@@ -5,6 +5,8 @@
 #include <optional>
 #include <string_view>
 
+#include "core/motion/body_choice.h"
+
 namespace marey {
 
 /// Parts of a human body.
@@ -13,13 +15,6 @@ inline constexpr int kBodyPartCount = 8;
 
 /// "head", "upper arm" ...
 [[nodiscard]] std::string_view body_part_name(BodyPart part);
-
-/// Where the numbers of a body come from.
-enum class BodyTable : std::uint8_t {
-  DeLevaMale,    ///< P. de Leva 1996, J. Biomech. 29(9):1223-1230, table 4
-  DeLevaFemale,
-  Rods,          ///< every bone a uniform rod whose mass goes with its length, whatever the figure
-};
 
 /// Null for an unknown name: "deleva-male", "deleva-female", "rods".
 [[nodiscard]] const BodyTable* find_body_table(std::string_view name);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -56,6 +57,17 @@ Result<Derivation> parse_derivation(std::string_view text) {
                            "more frames, a degree from 2 on below it) or gcv.",
                            text),
                "central, butterworth:HZ, savgol:N,P, gcv", std::string(text)};
+}
+
+int uncertain_end_frames(const Derivation& derivation, double rate_hz) {
+  constexpr int kQuinticCoefficients = 6;
+  switch (derivation.kind) {
+    case DerivationKind::Central: return 1;
+    case DerivationKind::Butterworth: return std::max(1, static_cast<int>(std::min(std::ceil(rate_hz / derivation.cutoff_hz), 1e6)));
+    case DerivationKind::SavitzkyGolay: return std::max(1, derivation.window / 2);
+    case DerivationKind::Gcv: return kQuinticCoefficients;
+  }
+  return 1;
 }
 
 std::string describe(const Derivation& derivation) {

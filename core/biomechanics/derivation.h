@@ -20,7 +20,13 @@ struct Derivation {
   double cutoff_hz = 6.0;  ///< of Butterworth, > 0
   int window = 7;          ///< of Savitzky-Golay: odd, 3 or more frames
   int degree = 3;          ///< of Savitzky-Golay: 2 ... window - 1
+  friend bool operator==(const Derivation&, const Derivation&) = default;
 };
+
+/// Frames at either end of a clip whose velocities and accelerations lean on samples that are not there: one for central
+/// differences, half the window for Savitzky-Golay, a period of the cut-off for Butterworth, and for the spline, which ends
+/// without third derivative, as many as its polynomials have coefficients. At least one.
+[[nodiscard]] int uncertain_end_frames(const Derivation& derivation, double rate_hz);
 
 /// "central", "butterworth:6", "savgol:7,3" or "gcv". Error InvalidArgument for anything else.
 [[nodiscard]] Result<Derivation> parse_derivation(std::string_view text);

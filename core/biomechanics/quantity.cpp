@@ -14,23 +14,23 @@ using Owner = QuantityOwner;
 using Level = DerivativeLevel;
 
 constexpr std::array kQuantities = {
-    Quantity{"position", Kind::Position, Owner::Point, Level::Pose, false, true, "m"},
-    Quantity{"velocity", Kind::Velocity, Owner::Point, Level::Velocity, false, true, "m/s"},
-    Quantity{"acceleration", Kind::Acceleration, Owner::Point, Level::Acceleration, false, true, "m/s2"},
-    Quantity{"angle", Kind::Angle, Owner::Joint, Level::Pose, false, true, "rad"},
-    Quantity{"angular_velocity", Kind::AngularVelocity, Owner::Joint, Level::Velocity, false, true, "rad/s"},
-    Quantity{"angular_acceleration", Kind::AngularAcceleration, Owner::Joint, Level::Acceleration, false, true, "rad/s2"},
-    Quantity{"force", Kind::Force, Owner::Joint, Level::Acceleration, true, true, "N"},
-    Quantity{"torque", Kind::Torque, Owner::Joint, Level::Acceleration, true, true, "N.m"},
-    Quantity{"power", Kind::Power, Owner::Joint, Level::Acceleration, true, false, "W"},
-    Quantity{"com", Kind::Com, Owner::Body, Level::Pose, true, true, "m"},
-    Quantity{"com_velocity", Kind::ComVelocity, Owner::Body, Level::Velocity, true, true, "m/s"},
-    Quantity{"momentum", Kind::Momentum, Owner::Body, Level::Velocity, true, true, "kg.m/s"},
-    Quantity{"angular_momentum", Kind::AngularMomentum, Owner::BodyOrJoint, Level::Velocity, true, true, "kg.m2/s"},
-    Quantity{"kinetic_energy", Kind::KineticEnergy, Owner::Body, Level::Velocity, true, false, "J"},
-    Quantity{"potential_energy", Kind::PotentialEnergy, Owner::Body, Level::Pose, true, false, "J"},
-    Quantity{"reaction", Kind::Reaction, Owner::Body, Level::Acceleration, true, true, "N"},
-    Quantity{"cop", Kind::CentreOfPressure, Owner::Body, Level::Acceleration, true, true, "m"}};
+    Quantity{"position", Kind::Position, Owner::Point, Level::Pose, false, true, "m", "Position"},
+    Quantity{"velocity", Kind::Velocity, Owner::Point, Level::Velocity, false, true, "m/s", "Velocity"},
+    Quantity{"acceleration", Kind::Acceleration, Owner::Point, Level::Acceleration, false, true, "m/s2", "Acceleration"},
+    Quantity{"angle", Kind::Angle, Owner::Joint, Level::Pose, false, true, "rad", "Angle"},
+    Quantity{"angular_velocity", Kind::AngularVelocity, Owner::Joint, Level::Velocity, false, true, "rad/s", "Angular velocity"},
+    Quantity{"angular_acceleration", Kind::AngularAcceleration, Owner::Joint, Level::Acceleration, false, true, "rad/s2", "Angular acceleration"},
+    Quantity{"force", Kind::Force, Owner::Joint, Level::Acceleration, true, true, "N", "Joint force"},
+    Quantity{"torque", Kind::Torque, Owner::Joint, Level::Acceleration, true, true, "N.m", "Joint torque"},
+    Quantity{"power", Kind::Power, Owner::Joint, Level::Acceleration, true, false, "W", "Joint power"},
+    Quantity{"com", Kind::Com, Owner::Body, Level::Pose, true, true, "m", "Centre of mass"},
+    Quantity{"com_velocity", Kind::ComVelocity, Owner::Body, Level::Velocity, true, true, "m/s", "Velocity of the centre of mass"},
+    Quantity{"momentum", Kind::Momentum, Owner::Body, Level::Velocity, true, true, "kg.m/s", "Momentum"},
+    Quantity{"angular_momentum", Kind::AngularMomentum, Owner::BodyOrJoint, Level::Velocity, true, true, "kg.m2/s", "Angular momentum"},
+    Quantity{"kinetic_energy", Kind::KineticEnergy, Owner::Body, Level::Velocity, true, false, "J", "Kinetic energy"},
+    Quantity{"potential_energy", Kind::PotentialEnergy, Owner::Body, Level::Pose, true, false, "J", "Potential energy"},
+    Quantity{"reaction", Kind::Reaction, Owner::Body, Level::Acceleration, true, true, "N", "Support reaction"},
+    Quantity{"cop", Kind::CentreOfPressure, Owner::Body, Level::Acceleration, true, true, "m", "Centre of pressure"}};
 
 Error refusal(std::string message, std::string_view found) {
   return {DiagnosticCode::InvalidArgument, {}, std::move(message), {}, std::string(found)};
@@ -56,6 +56,8 @@ Status add_owners(const Skeleton& skeleton, const Quantity& quantity, std::strin
 }
 
 }  // namespace
+
+std::span<const Quantity> quantities() { return kQuantities; }
 
 Result<std::vector<AskedQuantity>> find_quantities(const Skeleton& skeleton, std::span<const std::string> texts) {
   std::vector<AskedQuantity> asked;

@@ -36,7 +36,11 @@ struct Quantity {
   bool needs_body = false;  ///< masses
   bool is_vector = true;
   std::string_view unit;
+  std::string_view label;  ///< for people: "Centre of mass"
 };
+
+/// All that there are.
+[[nodiscard]] std::span<const Quantity> quantities();
 
 /// One quantity of one owner.
 struct AskedQuantity {

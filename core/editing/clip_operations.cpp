@@ -34,6 +34,15 @@ Edit make_settings_edit(const Clip& clip, const ClipSettings& settings) {
   return edit;
 }
 
+Edit make_body_edit(const Clip& clip, const BodyChoice& body) {
+  Edit edit;
+  edit.name = body.table != clip.body.table       ? "Change table of the body"
+              : body.mass_kg != clip.body.mass_kg ? "Change mass of the body"
+                                                  : "Change mass of a segment";
+  edit.body = body;
+  return edit;
+}
+
 Edit make_frame_time_edit(double frame_time_s) {
   Edit edit;
   edit.name = fmt::format("Set frame time to {} s", frame_time_s);

@@ -11,6 +11,9 @@ namespace marey {
 /// character set of the names.
 [[nodiscard]] Edit make_settings_edit(const Clip& clip, const ClipSettings& settings);
 
+/// Changes the masses of the figure: the table, the mass of the body, or those of segments.
+[[nodiscard]] Edit make_body_edit(const Clip& clip, const BodyChoice& body);
+
 /// Changes the time of a frame, so the speed of the clip; the samples stay. Refused on applying if it is no is_frame_time().
 [[nodiscard]] Edit make_frame_time_edit(double frame_time_s);
 

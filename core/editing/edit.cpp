@@ -119,6 +119,18 @@ Status check_scalars(const Edit& edit) {
   return {};
 }
 
+Status check_body(const BodyChoice& body, int joint_count) {
+  if (body.mass_kg && !is_positive(*body.mass_kg)) {
+    return refusal(DiagnosticCode::InvalidArgument, "The mass of the body must be more than 0 kg.");
+  }
+  for (const OwnMass& own : body.own) {
+    if (own.joint < 0 || own.joint >= joint_count || !std::isfinite(own.mass_kg) || own.mass_kg < 0.0) {
+      return refusal(DiagnosticCode::InvalidArgument, "The mass of a segment must be 0 kg or more, and of a joint of the figure.");
+    }
+  }
+  return {};
+}
+
 Status check_keys(const std::map<ChannelIndex, SharedKeys>& curves, int channel_count) {
   for (const auto& [channel, keys] : curves) {
     if (channel < 0 || channel >= channel_count || !keys) {
@@ -242,6 +254,8 @@ Status check_edit(const Clip& clip, const Edit& edit) {
     if (Status status = check_stack(clip, edit); !status) return status;
   }
   if (Status status = check_scalars(edit); !status) return status;
+  const Skeleton& skeleton = edit.figure ? edit.figure->skeleton : clip.skeleton;
+  if (Status status = edit.body ? check_body(*edit.body, skeleton.joint_count()) : Status{}; !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
     return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
   }
@@ -265,6 +279,7 @@ Edit reduced_to_changes(const Clip& clip, Edit edit) {
   if (edit.settings == clip.settings) edit.settings.reset();
   if (edit.frame_time_s == clip.motion.frame_time_s()) edit.frame_time_s.reset();
   if (edit.stack == clip.stack) edit.stack.reset();
+  if (edit.body == clip.body) edit.body.reset();
   return edit;
 }
 
@@ -294,6 +309,7 @@ void swap_edit(Clip& clip, Edit& edit) {
     change.offset = present;
   }
   if (edit.stack) std::swap(clip.stack, *edit.stack);
+  if (edit.body) std::swap(clip.body, *edit.body);
   if (edit.settings) std::swap(clip.settings, *edit.settings);
   if (edit.frame_time_s) {
     const double present = clip.motion.frame_time_s();
@@ -316,6 +332,7 @@ std::size_t edit_bytes(const Edit& edit) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
   if (edit.stack) bytes += unshared_bytes(*edit.stack);
+  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass);
   return bytes;
 }
 

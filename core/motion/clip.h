@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/motion/body_choice.h"
 #include "core/motion/layers.h"
 #include "core/motion/motion.h"
 #include "core/skeleton/channel.h"
@@ -35,6 +36,7 @@ struct Clip {
   /// What the samples are made of where they are more than samples: `motion` always holds the result, and for each channel
   /// of layered_channels() the stack holds what is beneath.
   LayerStack stack{};
+  BodyChoice body{};
 };
 
 }  // namespace marey

@@ -38,6 +38,14 @@ double largest_move(const Clip& clip, const FigureChange& figure, const std::vec
   return largest;
 }
 
+bool are_same_nodes(const std::vector<NodeIndex>& origins, const Skeleton& skeleton) {
+  if (size_of(origins) != skeleton.node_count()) return false;
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (origins[idx(node)] != node) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft draft, std::vector<std::string> notes,
@@ -52,6 +60,12 @@ Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft
     if (move > kUnnoticed * compute_stature(call.clip.skeleton)) {
       outcome.notes.push_back(fmt::format("Points of the figure move by up to {:.4g} file units.", move));
     }
+  }
+  // Joints are known by their numbers, which are others now.
+  if (!call.clip.body.own.empty() && !are_same_nodes(origins, call.clip.skeleton)) {
+    outcome.edit.body = call.clip.body;
+    outcome.edit.body->own.clear();
+    outcome.notes.emplace_back("Masses that were typed in for segments are those of the table again.");
   }
   outcome.edit.name = call.operation.label;
   outcome.edit.figure = std::move(*figure);

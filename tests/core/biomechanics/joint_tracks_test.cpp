@@ -154,6 +154,14 @@ TEST(BodyMotion, IsTheDerivativeOfTheWorldPositions) {
   }
 }
 
+TEST(Derivation, KnowsHowFarEndsReach) {
+  const auto reach = [](std::string_view text) { return uncertain_end_frames(*parse_derivation(text), 60.0); };
+  EXPECT_EQ(reach("central"), 1);
+  EXPECT_EQ(reach("butterworth:6"), 10);
+  EXPECT_EQ(reach("savgol:7,3"), 3);
+  EXPECT_EQ(reach("gcv"), 6);
+}
+
 TEST(JointTracks, RefuseGaps) {
   Clip clip = make_spinning(30.0);
   clip.motion.channel_samples(0)[4] = std::nan("");

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/index.h"
+
+namespace marey {
+
+/// Where the numbers of a body come from: core/biomechanics/body_tables.h.
+enum class BodyTable : std::uint8_t {
+  DeLevaMale,    ///< P. de Leva 1996, J. Biomech. 29(9):1223-1230, table 4
+  DeLevaFemale,
+  Rods,          ///< every bone a uniform rod whose mass goes with its length, whatever the figure
+};
+
+/// The mass of what a joint carries, in place of the table's.
+struct OwnMass {
+  JointIndex joint = 0;
+  double mass_kg = 0.0;  ///< >= 0
+  friend bool operator==(const OwnMass&, const OwnMass&) = default;
+};
+
+/// What people have said of the masses of a figure; a BVH file has none.
+struct BodyChoice {
+  std::optional<BodyTable> table;  ///< none: de Leva, male, where the joints tell a human body, else rods
+  std::optional<double> mass_kg;   ///< > 0; none: that of the table's average subject
+  std::vector<OwnMass> own{};      ///< rising by joint
+  friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
+};
+
+}  // namespace marey
