@@ -27,6 +27,11 @@ mergeInto(LibraryManager.library, {
     mareyAsk((host) => host.download(mareyText(name, nameSize), HEAPU8.slice(bytes, bytes + byteCount)));
   },
 
+  marey_host_download_picture__deps: ["$mareyAsk", "$mareyText"],
+  marey_host_download_picture: function (name, nameSize, svg, svgSize, pixelWidth) {
+    mareyAsk((host) => host.downloadPicture(mareyText(name, nameSize), mareyText(svg, svgSize), pixelWidth));
+  },
+
   marey_host_load_sample__deps: ["$mareyAsk", "$mareyText"],
   marey_host_load_sample: function (id, idSize) {
     mareyAsk((host) => host.loadSample(mareyText(id, idSize)));

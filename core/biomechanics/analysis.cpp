@@ -21,7 +21,7 @@ Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}
 AnalysisColumn make_column(const AskedQuantity& asked, char component) {
   const std::string_view unit = asked.quantity->unit;
   std::string name = component == 0 ? fmt::format("{}[{}]", asked.label, unit) : fmt::format("{}.{}[{}]", asked.label, component, unit);
-  return {std::move(name), asked.label, component, unit, {}};
+  return {std::move(name), asked.label, asked.node, component, unit, {}};
 }
 
 /// All that columns are made of; mechanics only where the request needs them.
@@ -212,6 +212,7 @@ void Analysis::add_notes(AnalysisTable& table) const {
 Result<AnalysisTable> analyse(const Clip& clip, const AnalysisRequest& request) {
   Result<std::vector<AskedQuantity>> asked = find_quantities(clip.skeleton, request.quantities);
   if (!asked) return asked.error();
+  asked->insert(asked->end(), request.asked.begin(), request.asked.end());
   const auto needs_body = std::find_if(asked->begin(), asked->end(), [](const AskedQuantity& a) { return a.quantity->needs_body; });
   if (needs_body != asked->end()) {
     if (!request.model) {

@@ -6,6 +6,7 @@
 
 #include "core/biomechanics/body_model.h"
 #include "core/biomechanics/derivation.h"
+#include "core/biomechanics/quantity.h"
 #include "core/biomechanics/support.h"
 #include "core/motion/clip.h"
 
@@ -14,6 +15,7 @@ namespace marey {
 /// What is wanted of a clip.
 struct AnalysisRequest {
   std::vector<std::string> quantities;  ///< "torque:Body", "com"; "position:*" is of every joint and end site
+  std::vector<AskedQuantity> asked{};   ///< further ones; by node, as names may stand twice
   std::optional<BodyModel> model;       ///< needed by all that has to do with mass
   SupportKind support = SupportKind::Auto;
   Derivation derivation;
@@ -24,6 +26,7 @@ struct AnalysisRequest {
 struct AnalysisColumn {
   std::string name;            ///< with its unit: "torque:Body.x[N.m]"
   std::string label;           ///< of what was asked for: "torque:Body"
+  NodeIndex node = kNoParent;  ///< of whom; kNoParent for the whole body
   char component = 0;          ///< 'x', 'y' or 'z'; 0 for a quantity without direction
   std::string_view unit;       ///< "N.m"
   std::vector<double> values;  ///< not a number where the value is not defined

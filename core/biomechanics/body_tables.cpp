@@ -46,6 +46,10 @@ constexpr std::array<TrunkPiece, 3> kFemaleTrunk = {piece(497.9, 0.0, 181.5, 0.1
                                                     piece(497.9, 181.5, 205.3, 0.1465, 0.4512, 0.433, 0.354, 0.415),
                                                     piece(497.9, 386.8, 228.0, 0.1545, 0.5050, 0.466, 0.314, 0.449)};
 
+// In the order of BodyTable.
+constexpr std::array<std::pair<std::string_view, BodyTable>, 3> kTables = {
+    {{"deleva-male", BodyTable::DeLevaMale}, {"deleva-female", BodyTable::DeLevaFemale}, {"rods", BodyTable::Rods}}};
+
 }  // namespace
 
 std::string_view body_part_name(BodyPart part) {
@@ -55,11 +59,11 @@ std::string_view body_part_name(BodyPart part) {
 }
 
 const BodyTable* find_body_table(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, BodyTable>, 3> kTables = {
-      {{"deleva-male", BodyTable::DeLevaMale}, {"deleva-female", BodyTable::DeLevaFemale}, {"rods", BodyTable::Rods}}};
   const auto found = std::find_if(kTables.begin(), kTables.end(), [&](const auto& table) { return table.first == name; });
   return found == kTables.end() ? nullptr : &found->second;
 }
+
+std::string_view body_table_name(BodyTable table) { return kTables[static_cast<std::size_t>(table)].first; }
 
 const PartProportions& proportions_of(BodyTable table, BodyPart part) {
   return (table == BodyTable::DeLevaFemale ? kFemale : kMale)[static_cast<std::size_t>(part)];

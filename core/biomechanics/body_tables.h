@@ -18,6 +18,7 @@ inline constexpr int kBodyPartCount = 8;
 
 /// Null for an unknown name: "deleva-male", "deleva-female", "rods".
 [[nodiscard]] const BodyTable* find_body_table(std::string_view name);
+[[nodiscard]] std::string_view body_table_name(BodyTable table);
 
 /// A part as shares of the body and of its own length, from its proximal end on: the joint that carries it.
 struct PartProportions {

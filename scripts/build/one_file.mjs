@@ -26,7 +26,7 @@ export function makeOneFilePage(folder) {
   html = replaceOnce(html, "script-src 'self'", `script-src ${hashOf(program)}`);
   html = replaceOnce(html, "style-src 'self'", `style-src ${hashOf(style)}`);
   html = replaceOnce(html, "font-src 'self'; ", "");
-  html = replaceOnce(html, "img-src 'self'", "img-src data:");
+  html = replaceOnce(html, "img-src 'self' blob:", "img-src data: blob:");
   html = replaceOnce(html, 'href="icon.svg"', `href="data:image/svg+xml;base64,${base64("icon.svg")}"`);
   html = replaceOnce(html, '<link rel="stylesheet" href="style.css" />', `<style>${style}</style>`);
   html = replaceOnce(html, '<script type="module" src="main.js"></script>', "");

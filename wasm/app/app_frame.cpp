@@ -194,6 +194,7 @@ ViewContext AppParts::make_context() {
   return {.session = workspace.session,
           .clip_serial = workspace.clip_serial,
           .commands = commands,
+          .analysis = workspace.analysis,
           .options = workspace.preferences.options,
           .time_window = time_window,
           .theme = theme,

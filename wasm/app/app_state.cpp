@@ -1,5 +1,6 @@
 #include <imgui.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -109,6 +110,32 @@ void add_layers(json& state, const Session& session) {
   state["ownKeys"] = count_keys(stack.keyed);
 }
 
+json line_values(const std::vector<PlotLine>& lines, FrameIndex frame) {
+  json values = json::object();
+  for (const PlotLine& line : lines) {
+    const bool known = frame < size_of(line.values) && std::isfinite(line.values[idx(frame)]);
+    values[line.component == 0 ? "value" : std::string(1, line.component)] = known ? json(line.values[idx(frame)]) : json(nullptr);
+  }
+  return values;
+}
+
+json analysis_state(const Workspace& workspace) {
+  const Analysis& analysis = workspace.analysis;
+  json plots = json::array();
+  for (const AnalysisPlot& plot : analysis.plots()) {
+    plots.push_back({{"quantity", plot.choice.quantity->name},
+                     {"owner", plot.owner},
+                     {"unit", plot.unit},
+                     {"values", line_values(plot.lines, workspace.session.playback.frame())}});
+  }
+  constexpr const char* kSupports[] = {"pivot", "flight", "ground", "auto"};
+  return {{"plots", std::move(plots)},
+          {"derivative", describe(analysis.derivation)},
+          {"support", kSupports[static_cast<int>(analysis.support)]},
+          {"problem", optional_text(analysis.problem())},
+          {"notes", analysis.notes()}};
+}
+
 void add_playback(json& state, const Playback& playback) {
   state["frame"] = playback.frame();
   state["position"] = playback.position();
@@ -160,6 +187,7 @@ nlohmann::json App::state() const {
   add_document(state, parts_->workspace.session.document);
   add_layers(state, parts_->workspace.session);
   add_playback(state, parts_->workspace.session.playback);
+  state["analysis"] = analysis_state(parts_->workspace);
   state["selection"] = selection_state(parts_->workspace.session);
   add_interface(state, *parts_);
   return state;

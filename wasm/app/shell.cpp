@@ -120,6 +120,7 @@ void Shell::add_commands(CommandRegistry& registry, Workspace& workspace, TimeWi
   viewport_.add_commands(registry, workspace.session);
   curves_.add_commands(registry, workspace.session, workspace.preferences.options, time_window);
   inspector_.add_commands(registry, workspace);
+  add_analysis_commands(registry, workspace);
 }
 
 void Shell::document_opened() {

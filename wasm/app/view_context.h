@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/document/session.h"
+#include "wasm/app/analysis.h"
 #include "wasm/app/commands.h"
 #include "wasm/app/fonts.h"
 #include "wasm/app/theme.h"
@@ -20,6 +21,7 @@ struct ViewContext {
   Session& session;
   std::uint64_t clip_serial = 0;  ///< grows with each opened file; a cache is valid for (clip_serial, revision)
   CommandRegistry& commands;
+  Analysis& analysis;
   ViewOptions& options;
   TimeWindow& time_window;  ///< shared by ruler and curves
   const Theme& theme;

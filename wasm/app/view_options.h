@@ -2,13 +2,17 @@
 
 #include "core/base/index.h"
 #include "core/skeleton/channel.h"
+#include "wasm/app/shown_arrows.h"
 
 namespace marey::app {
 
 enum class ViewPreset { Free, Front, Side, Top };
 
 /// What stands in the room below the timeline.
-enum class CurvesPage { Curves, Filter, Orders };
+enum class CurvesPage { Curves, Filter, Orders, Plots };
+
+/// How plots of quantities are shown: over time, each against the first of them, or as statistics of the range.
+enum class PlotMode { OverTime, AgainstFirst, Statistics };
 
 /// What the views show and how; kept between visits, not part of a file.
 struct ViewOptions {
@@ -25,6 +29,8 @@ struct ViewOptions {
   bool show_performance = false;  ///< the card of what drawing takes
   bool orthographic = false;
   CurvesPage curves_page = CurvesPage::Curves;  ///< not kept between visits
+  PlotMode plot_mode = PlotMode::OverTime;      ///< not kept between visits
+  ShownArrows shown_arrows;                     ///< not kept between visits
   float falloff_radius_frames = 8.0f;  ///< of a drag in the curve editor
   float smooth_sigma_frames = 2.0f;
   float interface_scale = 1.0f;  ///< 1 to 2.5

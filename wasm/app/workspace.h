@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/document/session.h"
+#include "wasm/app/analysis.h"
 #include "wasm/app/file_loading.h"
 #include "wasm/app/messages.h"
 #include "wasm/app/performance.h"
@@ -26,6 +27,7 @@ struct Workspace {
   /// What was open before, with changes that were not downloaded, so that opening a file loses nothing.
   std::optional<Session> previous;
   std::uint64_t clip_serial = 0;  ///< grows with each change of what is open
+  Analysis analysis;
   Preferences preferences;
   Messages messages;
   Performance performance;

@@ -24,6 +24,8 @@ class Backend {
   void ask_for_file(FileUse use = FileUse::Document);
   /// Hands bytes to the user as a download.
   void download(std::string_view file_name, std::string_view bytes);
+  /// Hands a drawing in SVG to the user as a PNG, so many pixels wide, when it has been painted.
+  void download_picture(std::string_view file_name, std::string_view svg, int pixel_width);
   /// Opens a bundled sample by its id; it arrives through App::open_file.
   void load_sample(std::string_view sample_id);
   /// Nothing more of the file that is being read is wanted.

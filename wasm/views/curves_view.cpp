@@ -13,7 +13,7 @@ namespace marey::app {
 namespace {
 
 constexpr float kBottomMargin = 8.0f;
-constexpr float kPagesWidth = 108.0f;
+constexpr float kPagesWidth = 138.0f;
 
 void draw_joint_choice(ViewContext& context) {
   Selection& selection = context.session.selection;
@@ -76,7 +76,7 @@ void CurvesView::draw_empty(ViewContext& context) const {
 
 // At the right end of the row above the curves, on each page at the same place.
 void CurvesView::draw_pages(ViewContext& context, ImVec2 corner, ImVec2 room) const {
-  constexpr std::array kPages = {"view.curve_editor", "view.filter_explorer", "view.rotation_orders"};
+  constexpr std::array kPages = {"view.curve_editor", "view.filter_explorer", "view.rotation_orders", "view.plots"};
   const float button = ImGui::GetFrameHeight();
   ImGui::SetCursorScreenPos({corner.x + room.x - (button + 2.0f) * static_cast<float>(kPages.size()) - 8.0f, corner.y + 4.0f});
   for (const char* id : kPages) {
@@ -88,14 +88,16 @@ void CurvesView::draw_pages(ViewContext& context, ImVec2 corner, ImVec2 room) co
 
 void CurvesView::draw(ViewContext& context, const OperationForm& form) {
   if (update_shown_channels(state_, context.session)) fit_values(state_, context.session, context.time_window);
-  if (context.session.selection.joints().empty() || context.session.document.motion().frame_count() == 0) {
+  const CurvesPage page = context.options.curves_page;
+  const bool has_frames = context.session.document.motion().frame_count() > 0;
+  if (!has_frames || (context.session.selection.joints().empty() && page != CurvesPage::Plots)) {
     draw_empty(context);
     return;
   }
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 end{corner.x + room.x, corner.y + room.y};
-  const CurvesPage page = context.options.curves_page;
+  if (page == CurvesPage::Plots) plots_.draw(context, corner, end, kPagesWidth);
   if (page == CurvesPage::Orders) orders_.draw(context, corner, end);
   if (page == CurvesPage::Filter && !state_.shown.empty()) explorer_.draw(context, form, state_.shown, corner, end);
   if (page == CurvesPage::Curves) draw_curves(context);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "wasm/app/view_context.h"
+#include "wasm/views/analysis/plots_view.h"
 #include "wasm/views/curves/curves_drawing.h"
 #include "wasm/views/curves/curves_state.h"
 #include "wasm/views/curves/curves_toolbar.h"
@@ -35,6 +36,7 @@ class CurvesView {
   CurvesToolbar toolbar_;
   FilterExplorer explorer_;
   OrderView orders_;
+  PlotsView plots_;
 };
 
 }  // namespace marey::app

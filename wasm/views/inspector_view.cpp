@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <string>
 
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/analysis/body_page.h"
 #include "wasm/views/inspector/clip_page.h"
 
 namespace marey::app {
@@ -14,6 +18,7 @@ namespace {
 
 constexpr float kTabHeight = 36.0f;
 constexpr float kTabPadding = 8.0f;
+constexpr float kLeastTabPadding = 3.0f;
 
 int problem_count(const Diagnostics& diagnostics) {
   return diagnostics.count(Severity::Warning) + diagnostics.count(Severity::Error);
@@ -21,37 +26,40 @@ int problem_count(const Diagnostics& diagnostics) {
 
 }  // namespace
 
-void InspectorView::draw_tab(ViewContext& context, Page page, const char* id, std::string_view label) {
-  const bool active = page == page_;
+void InspectorView::draw_tab(ViewContext& context, const Tab& tab, float padding) {
+  const bool active = tab.page == page_;
+  const std::string_view label = tab.label;
   ImGui::PushFont(context.fonts.semibold, Fonts::kTextSize);
   const ImVec2 text = ImGui::CalcTextSize(label.data(), label.data() + label.size());
   const ImVec2 min = ImGui::GetCursorScreenPos();
-  const ImVec2 max{min.x + text.x + 2.0f * kTabPadding, min.y + kTabHeight};
-  if (ImGui::InvisibleButton(id, {max.x - min.x, kTabHeight})) page_ = page;
-  context.items.add_last(id, label);
+  const ImVec2 max{min.x + text.x + 2.0f * padding, min.y + kTabHeight};
+  if (ImGui::InvisibleButton(tab.id, {max.x - min.x, kTabHeight})) page_ = tab.page;
+  context.items.add_last(tab.id, label);
   const ImU32 color = active || ImGui::IsItemHovered() ? context.theme.text : context.theme.dim_text;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddText({min.x + kTabPadding, min.y + 0.5f * (kTabHeight - text.y)}, color, label.data(),
-               label.data() + label.size());
-  if (active) {
-    list.AddRectFilled({min.x + kTabPadding, max.y - 2.0f}, {max.x - kTabPadding, max.y}, context.theme.accent, 1.0f);
-  }
+  list.AddText({min.x + padding, min.y + 0.5f * (kTabHeight - text.y)}, color, label.data(), label.data() + label.size());
+  if (active) list.AddRectFilled({min.x + padding, max.y - 2.0f}, {max.x - padding, max.y}, context.theme.accent, 1.0f);
   ImGui::PopFont();
 }
 
 void InspectorView::draw_tabs(ViewContext& context) {
   const int problems = problem_count(context.session.document.diagnostics());
+  const SmallText problem_label = problems > 0 ? SmallText("Problems ({})", problems) : SmallText("Problems");
+  const std::array<Tab, 6> tabs = {Tab{Page::Joint, "inspector.tab.joint", "Joint"},    Tab{Page::Clip, "inspector.tab.clip", "Clip"},
+                                   Tab{Page::Edit, "inspector.tab.edit", "Edit"},       Tab{Page::Layers, "inspector.tab.layers", "Layers"},
+                                   Tab{Page::Body, "inspector.tab.body", "Body"},       Tab{Page::Problems, "inspector.tab.problems", problem_label}};
+  ImGui::PushFont(context.fonts.semibold, Fonts::kTextSize);
+  float text_width = 0.0f;
+  for (const Tab& tab : tabs) text_width += ImGui::CalcTextSize(tab.label.data(), tab.label.data() + tab.label.size()).x;
+  ImGui::PopFont();
+  const float room = ImGui::GetContentRegionAvail().x - 4.0f - text_width;
+  const float padding = std::clamp(std::floor(0.5f * room / static_cast<float>(tabs.size())), kLeastTabPadding, kTabPadding);
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 2.0f);
-  draw_tab(context, Page::Joint, "inspector.tab.joint", "Joint");
-  ImGui::SameLine(0.0f, 0.0f);
-  draw_tab(context, Page::Clip, "inspector.tab.clip", "Clip");
-  ImGui::SameLine(0.0f, 0.0f);
-  draw_tab(context, Page::Edit, "inspector.tab.edit", "Edit");
-  ImGui::SameLine(0.0f, 0.0f);
-  draw_tab(context, Page::Layers, "inspector.tab.layers", "Layers");
-  ImGui::SameLine(0.0f, 0.0f);
-  draw_tab(context, Page::Problems, "inspector.tab.problems",
-           problems > 0 ? SmallText("Problems ({})", problems) : SmallText("Problems"));
+  for (const Tab& tab : tabs) {
+    draw_tab(context, tab, padding);
+    ImGui::SameLine(0.0f, 0.0f);
+  }
+  ImGui::NewLine();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   ImGui::GetWindowDrawList()->AddLine(at, {at.x + ImGui::GetContentRegionAvail().x, at.y}, context.theme.line);
 }
@@ -83,6 +91,15 @@ void InspectorView::add_commands(CommandRegistry& registry, Workspace& workspace
                   show_page(Page::Layers);
                   return nullptr;
                 }});
+  registry.add({.id = "analysis.body",
+                .label = "Body and smoothing",
+                .help = "Shows the masses of the figure, what holds it, and how samples are smoothed.",
+                .shortcut = "Shift+B",
+                .icon = icons::kWeight,
+                .run = [show_page](const nlohmann::json&) -> nlohmann::json {
+                  show_page(Page::Body);
+                  return nullptr;
+                }});
   add_layer_commands(registry, workspace);
 }
 
@@ -96,6 +113,7 @@ void InspectorView::draw(ViewContext& context) {
     case Page::Clip: draw_clip_page(context); break;
     case Page::Edit: operations_.draw(context); break;
     case Page::Layers: layers_.draw(context); break;
+    case Page::Body: draw_body_page(context); break;
     case Page::Problems: problems_.draw(context); break;
   }
   ImGui::EndChild();

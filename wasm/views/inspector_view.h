@@ -9,10 +9,10 @@
 
 namespace marey::app {
 
-/// The panel on the right: the selected joint, the clip, operations, layers, or the problems of the file.
+/// The panel on the right: the selected joint, the clip, operations, layers, the body, or the problems of the file.
 class InspectorView {
  public:
-  enum class Page { Joint, Clip, Edit, Layers, Problems };
+  enum class Page { Joint, Clip, Edit, Layers, Body, Problems };
 
   void draw(ViewContext& context);
   void show(Page page) { page_ = page; }
@@ -22,7 +22,12 @@ class InspectorView {
 
  private:
   void draw_tabs(ViewContext& context);
-  void draw_tab(ViewContext& context, Page page, const char* id, std::string_view label);
+  struct Tab {
+    Page page = Page::Joint;
+    const char* id = "";
+    std::string_view label;
+  };
+  void draw_tab(ViewContext& context, const Tab& tab, float padding);
 
   Page page_ = Page::Joint;
   JointPage joint_page_;

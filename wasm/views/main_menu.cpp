@@ -20,21 +20,26 @@ constexpr std::string_view kClip[] = {
     "#Frames", "clip.first_frame.leave_out", "clip.frames.declared"};
 
 constexpr std::string_view kView[] = {
-    "view.outliner", "view.inspector", "view.curves", "view.problems", "view.layers", "#Below the timeline", "view.curve_editor", "view.filter_explorer", "view.rotation_orders", "#Camera", "view.frame_all",
+    "view.outliner", "view.inspector", "view.curves", "view.problems", "view.layers", "#Below the timeline", "view.curve_editor", "view.filter_explorer", "view.rotation_orders", "view.plots", "#Camera", "view.frame_all",
     "view.frame_selection", "view.front", "view.side", "view.top", "view.orthographic", "view.follow_root", "#Figure",
     "view.grid", "view.shadow", "view.names", "view.strobe", "view.trails", "#Interface", "view.theme.system",
     "view.theme.light", "view.theme.dark", "view.scale.larger", "view.scale.smaller", "view.scale.reset",
     "view.projector", "view.performance"};
 
+constexpr std::string_view kAnalyse[] = {
+    "analysis.layout", "view.plots", "analysis.body", "#In the view", "view.com", "view.arrows.velocity", "view.arrows.acceleration",
+    "view.arrows.force", "view.arrows.torque", "view.arrows.angular_momentum", "view.arrows.reaction", "#Download",
+    "analysis.save_csv", "analysis.save_svg", "analysis.save_png"};
+
 constexpr std::string_view kHelp[] = {"help.shortcuts", "help.commands", "help.about"};
 
 constexpr std::string_view kCompact[] = {
     "file.open", "file.save_as", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
-    "view.trails", "view.names", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
+    "view.trails", "view.names", "", "analysis.layout", "analysis.body", "view.com", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
     "view.performance", "help.about"};
 
 constexpr MainMenu kMenus[] = {MainMenu{"File", kFile}, MainMenu{"Edit", kEdit}, MainMenu{"Clip", kClip},
-                                            MainMenu{"View", kView}, MainMenu{"Help", kHelp}};
+                                            MainMenu{"View", kView}, MainMenu{"Analyse", kAnalyse}, MainMenu{"Help", kHelp}};
 
 }  // namespace
 

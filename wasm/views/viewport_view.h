@@ -3,6 +3,7 @@
 #include "core/document/session.h"
 #include "wasm/app/view_context.h"
 #include "wasm/render/scene.h"
+#include "wasm/views/viewport/body_arrows.h"
 #include "wasm/views/viewport/joint_labels.h"
 #include "wasm/views/viewport/strobe.h"
 #include "wasm/views/viewport/trails.h"
@@ -29,6 +30,7 @@ class ViewportView {
   void build_scene(const ViewContext& context, Scene& scene);
 
   ViewportState state_;
+  BodyArrows arrows_;
   Strobe strobe_;
   Trails trails_;
   JointLabels labels_;

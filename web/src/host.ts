@@ -3,6 +3,8 @@ export interface Host {
   /** `beside`: for a clip that is to stand beside the open one. */
   askForFile(beside: boolean): void;
   download(name: string, bytes: Uint8Array): void;
+  /** A drawing in SVG, as a PNG so many pixels wide. */
+  downloadPicture(name: string, svg: string, pixelWidth: number): void;
   loadSample(id: string): void;
   /** Nothing more of the file that is being read is wanted. */
   stopLoading(): void;

@@ -1,5 +1,7 @@
 import { copyText } from "./clipboard";
 import { download } from "./files";
+import { showNotice } from "./notice";
+import { paintPicture } from "./picture";
 import type { Host, LetterCell, SystemPreferences } from "./host";
 import { LetterPainter } from "./letter_painter";
 import { applyTheme, loadPreferences, storePreferences } from "./preferences";
@@ -46,6 +48,13 @@ export class PageHost implements Host {
 
   download(name: string, bytes: Uint8Array<ArrayBuffer>): void {
     download(name, bytes);
+  }
+
+  downloadPicture(name: string, svg: string, pixelWidth: number): void {
+    paintPicture(svg, pixelWidth).then(
+      (picture) => download(name, picture),
+      (error: unknown) => showNotice(`The picture could not be painted. ${error instanceof Error ? error.message : ""}`),
+    );
   }
 
   loadSample(id: string): void {

@@ -17,6 +17,10 @@ void Backend::download(std::string_view file_name, std::string_view bytes) {
   headless_log().downloads.emplace_back(file_name, bytes);
 }
 
+void Backend::download_picture(std::string_view file_name, std::string_view svg, int) {
+  headless_log().downloads.emplace_back(file_name, svg);
+}
+
 void Backend::load_sample(std::string_view sample_id) { headless_log().samples.emplace_back(sample_id); }
 
 void Backend::stop_loading() { ++headless_log().stopped_loadings; }

@@ -14,6 +14,10 @@ void Backend::download(std::string_view file_name, std::string_view bytes) {
   marey_host_download(file_name.data(), file_name.size(), bytes.data(), bytes.size());
 }
 
+void Backend::download_picture(std::string_view file_name, std::string_view svg, int pixel_width) {
+  marey_host_download_picture(file_name.data(), file_name.size(), svg.data(), svg.size(), pixel_width);
+}
+
 void Backend::load_sample(std::string_view sample_id) { marey_host_load_sample(sample_id.data(), sample_id.size()); }
 
 void Backend::stop_loading() { marey_host_stop_loading(); }

@@ -9,6 +9,7 @@ extern "C" {
 /// `beside`: 1 for a clip that is to stand beside the open one.
 void marey_host_ask_for_file(int beside);
 void marey_host_download(const char* name, size_t name_size, const char* bytes, size_t byte_count);
+void marey_host_download_picture(const char* name, size_t name_size, const char* svg, size_t svg_size, int pixel_width);
 void marey_host_load_sample(const char* id, size_t id_size);
 void marey_host_stop_loading();
 void marey_host_set_clipboard_text(const char* text, size_t text_size);

@@ -124,6 +124,10 @@ void add_pages(CommandRegistry& registry, ViewOptions& options) {
            {.id = "view.rotation_orders", .label = "Rotation orders",
             .help = "Shows the rotation of a joint in each of the six orders, and where it is near gimbal lock.",
             .shortcut = "Alt+3", .icon = icons::kRotate3d});
+  add_page(registry, options, CurvesPage::Plots,
+           {.id = "view.plots", .label = "Plots",
+            .help = "Plots quantities of kinematics and mechanics over the frames, with their units.",
+            .shortcut = "Alt+4", .icon = icons::kChartNoAxesCombined});
 }
 
 void add_view_commands(CommandRegistry& registry, CurveCommandTargets t) {

@@ -45,13 +45,13 @@ void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis&
     list.AddText(fonts.mono, size, {std::round(x), std::round(y)}, theme.dim_text, text.c_str());
   };
   // A degree sign fits behind each number; a word stands once, at the top.
-  const bool short_unit = unit == "°";
+  const bool short_unit = unit == "°" || unit.empty();
   const float first_free_y = area.min.y + (short_unit ? 0.0f : 1.5f * size);
   if (!short_unit) place(SmallText("{}", unit), area.min.y + 1.0f);
   for (int i = 0; i < ticks.count; ++i) {
     const float y = axis.y_of(ticks.at(i)) - 0.5f * size - 1.0f;
     if (y < first_free_y || y > area.max.y - size) continue;
-    place(SmallText("{}{}", tick_label(ticks.at(i), ticks.decimals), short_unit ? "°" : ""), y);
+    place(SmallText("{}{}", tick_label(ticks.at(i), ticks.decimals), short_unit ? unit : std::string_view()), y);
   }
 }
 

@@ -27,7 +27,7 @@ enum class AxisSide { Left, Right };
 /// Grid lines of a value axis across the area; zero stands out.
 void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme);
 
-/// Numbers of a value axis in its gutter with the unit at the top.
+/// Numbers of a value axis in its gutter with the unit at the top; without one where it stands elsewhere.
 void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, AxisSide side,
                        std::string_view unit, const Theme& theme, const Fonts& fonts);
 

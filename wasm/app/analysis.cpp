@@ -1,0 +1,254 @@
+#include "wasm/app/analysis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "core/math/angle.h"
+
+namespace marey::app {
+namespace {
+
+/// From this many samples on, a drag goes on with the former numbers until it ends.
+constexpr double kManySamples = 40'000.0;
+
+struct ShownUnit {
+  std::string_view unit;
+  std::string_view shown;
+  bool is_angle = false;
+};
+constexpr std::array kShownUnits = {ShownUnit{"rad", "°", true},      ShownUnit{"rad/s", "°/s", true},
+                                    ShownUnit{"rad/s2", "°/s²", true}, ShownUnit{"m/s2", "m/s²"},
+                                    ShownUnit{"N.m", "N·m"},           ShownUnit{"kg.m/s", "kg·m/s"},
+                                    ShownUnit{"kg.m2/s", "kg·m²/s"}};
+
+const ShownUnit* find_unit(std::string_view unit) {
+  const auto found = std::find_if(kShownUnits.begin(), kShownUnits.end(), [&](const ShownUnit& u) { return u.unit == unit; });
+  return found == kShownUnits.end() ? nullptr : &*found;
+}
+
+// The active joint; without one the first that turns, of those below the root if there are any.
+JointIndex joint_of(const Session& session) {
+  const Skeleton& skeleton = session.document.skeleton();
+  if (session.selection.active_joint() != kNoParent) return session.selection.active_joint();
+  const JointIndex first = skeleton.joint_count() > 0 ? 0 : kNoParent;
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const auto channels = skeleton.channels(joint);
+    const bool turns = std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
+    if (turns && skeleton.parent(joint) != kNoParent) return joint;
+  }
+  return first;
+}
+
+bool can_have(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
+  return quantity.owner == QuantityOwner::Point || !skeleton.node(node).is_end_site;
+}
+
+// The node of a name that a quantity can be of; kNoParent where there is none.
+NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::string_view name) {
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (can_have(skeleton, quantity, node) && node_label(skeleton, node) == name) return node;
+  }
+  return kNoParent;
+}
+
+AskedQuantity asked_of(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
+  std::string label(quantity.name);
+  if (node != kNoParent) label += ":" + node_label(skeleton, node);
+  return {&quantity, node, std::move(label)};
+}
+
+std::vector<PlotLine> lines_of(const AnalysisTable& table, const AnalysisPlot& plot, NodeIndex node) {
+  std::vector<PlotLine> lines;
+  for (const AnalysisColumn& column : table.columns) {
+    if (column.node != node || std::string_view(column.label).substr(0, column.label.find(':')) != plot.choice.quantity->name) continue;
+    if (std::any_of(lines.begin(), lines.end(), [&](const PlotLine& line) { return line.component == column.component; })) continue;
+    PlotLine line{column.component, column.values};
+    const ShownUnit* unit = find_unit(column.unit);
+    if (unit != nullptr && unit->is_angle) {
+      for (double& value : line.values) value = to_degrees(value);
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+bool needs_body(std::span<const AnalysisPlot> plots) {
+  return std::any_of(plots.begin(), plots.end(), [](const AnalysisPlot& plot) { return plot.choice.quantity->needs_body; });
+}
+
+std::vector<AskedQuantity> asked_by(const Skeleton& skeleton, std::span<const AnalysisPlot> plots) {
+  std::vector<AskedQuantity> asked;
+  for (const AnalysisPlot& plot : plots) {
+    const Quantity& quantity = *plot.choice.quantity;
+    const bool is_new = std::none_of(asked.begin(), asked.end(), [&](const AskedQuantity& a) { return a.quantity == &quantity && a.node == plot.node; });
+    if (is_new && !plot.missing) asked.push_back(asked_of(skeleton, quantity, plot.node));
+  }
+  return asked;
+}
+
+}  // namespace
+
+const Quantity* find_quantity(std::string_view name) {
+  const std::span<const Quantity> all = quantities();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Quantity& quantity) { return quantity.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+bool is_of_joint(const Quantity& quantity) {
+  return quantity.owner == QuantityOwner::Point || quantity.owner == QuantityOwner::Joint;
+}
+
+std::string_view shown_unit(std::string_view unit) {
+  const ShownUnit* found = find_unit(unit);
+  return found == nullptr ? unit : found->shown;
+}
+
+std::string AnalysisPlot::title() const { return fmt::format("{} [{}]", choice.quantity->label, unit); }
+
+std::vector<PlotChoice> Analysis::usual_choices() {
+  std::vector<PlotChoice> choices;
+  for (const char* name : {"angle", "angular_velocity", "angular_acceleration", "torque"}) choices.push_back({find_quantity(name)});
+  return choices;
+}
+
+void Analysis::set_choices(std::vector<PlotChoice> choices) {
+  choices_ = std::move(choices);
+  ++choices_serial_;
+}
+
+std::span<const double> Analysis::column(std::string_view quantity, NodeIndex node, char component) const {
+  for (const AnalysisColumn& column : table_.columns) {
+    if (column.node != node || column.component != component) continue;
+    if (std::string_view(column.label).substr(0, column.label.find(':')) == quantity) return column.values;
+  }
+  return {};
+}
+
+void Analysis::add_arrows(AnalysisRequest& request) const {
+  if (!key_.arrows.any()) return;
+  if (key_.arrows.com) request.quantities.emplace_back("com");
+  constexpr std::array<std::string_view, kBodyArrowCount> kOfJoints = {"velocity", "acceleration", "force", "torque", "", ""};
+  for (std::size_t i = 0; i < kOfJoints.size(); ++i) {
+    if (key_.arrows.arrows[i] && !kOfJoints[i].empty()) request.quantities.push_back(fmt::format("{}:*", kOfJoints[i]));
+  }
+  if (key_.arrows.shows(BodyArrow::AngularMomentum)) request.quantities.insert(request.quantities.end(), {"com", "angular_momentum"});
+  if (key_.arrows.shows(BodyArrow::Reaction)) request.quantities.insert(request.quantities.end(), {"reaction", "cop"});
+}
+
+void Analysis::make_plots(const Session& session) {
+  const Skeleton& skeleton = session.document.skeleton();
+  plots_.clear();
+  for (const PlotChoice& choice : choices_) {
+    AnalysisPlot plot{.choice = choice, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .other = {}};
+    if (is_of_joint(*choice.quantity) || !choice.owner.empty()) {
+      const bool follows = choice.owner.empty() && key_.joint != kNoParent;
+      plot.node = follows ? skeleton.node_of(key_.joint) : find_owner(skeleton, *choice.quantity, choice.owner);
+      plot.missing = plot.node == kNoParent;
+      plot.owner = plot.missing ? choice.owner : node_label(skeleton, plot.node);
+    }
+    plots_.push_back(std::move(plot));
+  }
+}
+
+void Analysis::add_raw(const Clip& clip, AnalysisRequest request) {
+  request.derivation = {};
+  const Result<AnalysisTable> raw = analyse(clip, request);
+  if (!raw) return;
+  for (AnalysisPlot& plot : plots_) {
+    if (plot.choice.quantity->level != DerivativeLevel::Pose && !plot.missing) plot.raw = lines_of(*raw, plot, plot.node);
+  }
+}
+
+// Plots of what the other figure does not have go without it.
+void Analysis::add_other(const OtherClip& other, AnalysisRequest request) {
+  request.model.reset();
+  if (Result<ChosenBody> body = find_chosen_body(other.clip)) request.model = std::move(body->body.model);
+  const Skeleton& skeleton = other.clip.skeleton;
+  for (AnalysisPlot& plot : plots_) {
+    const Quantity& quantity = *plot.choice.quantity;
+    const NodeIndex node = plot.node == kNoParent ? kNoParent : find_owner(skeleton, quantity, plot.owner);
+    if (plot.missing || (plot.node != kNoParent && node == kNoParent)) continue;
+    request.asked = {asked_of(skeleton, quantity, node)};
+    if (const Result<AnalysisTable> table = analyse(other.clip, request)) plot.other = lines_of(*table, plot, node);
+  }
+}
+
+void Analysis::follow_body(const Session& session, std::uint64_t clip_serial) {
+  const std::uint64_t revision = session.document.revision();
+  if (knows_body_ && body_clip_serial_ == clip_serial && body_revision_ == revision) return;
+  knows_body_ = true;
+  body_clip_serial_ = clip_serial;
+  body_revision_ = revision;
+  body_.reset();
+  body_problem_.clear();
+  Result<ChosenBody> body = find_chosen_body(session.document.clip());
+  if (body) body_ = std::move(*body);
+  else body_problem_ = body.error().message;
+}
+
+void Analysis::compute(const Session& session) {
+  const Clip& clip = session.document.clip();
+  ++serial_;
+  problem_.clear();
+  notes_.clear();
+  table_ = {};
+  metres_per_unit_ = clip.settings.metres_per_unit;
+  make_plots(session);
+  const bool wants_body = key_.arrows.any() || needs_body(plots_);
+  if (wants_body) follow_body(session, key_.clip_serial);
+  if (wants_body && !body_) notes_.push_back(body_problem_);
+  AnalysisRequest request;
+  request.support = support;
+  request.derivation = derivation;
+  if (wants_body && body_) request.model = body_->body.model;
+  if (key_.shows_plots) request.asked = asked_by(clip.skeleton, plots_);
+  AnalysisRequest with_arrows = request;
+  add_arrows(with_arrows);
+  Result<AnalysisTable> table = analyse(clip, with_arrows);
+  if (!table) {
+    problem_ = table.error().message;
+    return;
+  }
+  table_ = std::move(*table);
+  notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
+  if (!key_.shows_plots) return;
+  for (AnalysisPlot& plot : plots_) {
+    if (!plot.missing) plot.lines = lines_of(table_, plot, plot.node);
+  }
+  if (key_.shows_raw) add_raw(clip, request);
+  if (key_.other != nullptr) add_other(*key_.other, std::move(request));
+}
+
+bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool shows_plots, const ShownArrows& arrows, bool dragging) {
+  const Document& document = session.document;
+  const bool is_wanted = (shows_plots || arrows.any()) && document.motion().frame_count() > 0 && !session.is_partial;
+  if (!is_wanted) {
+    if (known_) plots_.clear();
+    known_ = false;
+    return false;
+  }
+  const bool smooths = derivation.kind != DerivationKind::Central;
+  const Key key{.clip_serial = clip_serial,
+                .revision = document.revision(),
+                .choices = choices_serial_,
+                .other = shows_other && shows_plots ? session.other.get() : nullptr,
+                .joint = joint_of(session),
+                .support = support,
+                .derivation = derivation,
+                .shows_plots = shows_plots,
+                .shows_raw = shows_plots && shows_raw && smooths,
+                .arrows = arrows};
+  if (known_ && key == key_) return false;
+  const bool only_edited = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices;
+  if (dragging && only_edited && static_cast<double>(document.motion().samples().size()) > kManySamples) return true;
+  key_ = key;
+  known_ = true;
+  compute(session);
+  return false;
+}
+
+}  // namespace marey::app

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/biomechanics/analysis.h"
+#include "core/biomechanics/chosen_body.h"
+#include "core/biomechanics/quantity.h"
+#include "core/document/session.h"
+#include "wasm/app/shown_arrows.h"
+
+namespace marey::app {
+
+/// A quantity that is plotted.
+struct PlotChoice {
+  const Quantity* quantity = nullptr;
+  std::string owner{};  ///< a joint or end site as node_label() names it; "" for the active joint, or the whole body
+  friend bool operator==(const PlotChoice&, const PlotChoice&) = default;
+};
+
+/// A component of a plot over all frames, in the plot's unit; not a number where it is not defined.
+struct PlotLine {
+  char component = 0;  ///< 'x', 'y', 'z'; 0 for a quantity without direction
+  std::vector<double> values;
+};
+
+/// What is plotted, ready to be drawn: angles in degrees, everything else in SI.
+struct AnalysisPlot {
+  PlotChoice choice;
+  NodeIndex node = kNoParent;  ///< kNoParent for the whole body, and where `missing`
+  bool missing = false;       ///< the figure has nobody of that name, or nothing that the quantity could be of
+  std::string owner;          ///< "Body", "whole body"
+  std::string_view unit;      ///< "°/s", "N·m"
+  std::vector<PlotLine> lines;
+  std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
+  std::vector<PlotLine> other;  ///< of the other clip, by its own frame time
+
+  /// "Joint torque [N·m]".
+  [[nodiscard]] std::string title() const;
+};
+
+/// How a clip is looked at as mechanics, and the numbers that come of it; computed anew only when something of it changes.
+class Analysis {
+ public:
+  SupportKind support = SupportKind::Auto;
+  Derivation derivation;
+  bool shows_raw = true;    ///< beside smoothed lines
+  bool shows_other = true;  ///< beside those of the open clip, when another one has been read
+
+  [[nodiscard]] const std::vector<PlotChoice>& choices() const { return choices_; }
+  void set_choices(std::vector<PlotChoice> choices);
+  /// Angle, angular velocity, angular acceleration and torque of the active joint.
+  [[nodiscard]] static std::vector<PlotChoice> usual_choices();
+
+  /// What the next frames show; call in each. While `dragging`, a clip that takes long keeps its former numbers. Returns
+  /// whether it does.
+  bool follow(const Session& session, std::uint64_t clip_serial, bool shows_plots, const ShownArrows& arrows, bool dragging);
+
+  [[nodiscard]] std::span<const AnalysisPlot> plots() const { return plots_; }
+  /// Grows with each new result.
+  [[nodiscard]] std::uint64_t serial() const { return serial_; }
+  /// Why there are no numbers; "" when there are.
+  [[nodiscard]] const std::string& problem() const { return problem_; }
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+  /// The body that masses come of; null where none could be found, and before the first follow_body().
+  [[nodiscard]] const ChosenBody* body() const { return body_ ? &*body_ : nullptr; }
+  /// Why there is no body.
+  [[nodiscard]] const std::string& body_problem() const { return body_problem_; }
+  /// Finds the body of the clip, if it is not known yet.
+  void follow_body(const Session& session, std::uint64_t clip_serial);
+  /// A column of the result, SI; empty where there is none.
+  [[nodiscard]] std::span<const double> column(std::string_view quantity, NodeIndex node, char component) const;
+  [[nodiscard]] double metres_per_unit() const { return metres_per_unit_; }
+  /// The joint that plots of the active joint are of.
+  [[nodiscard]] JointIndex joint() const { return key_.joint; }
+  /// The whole result of what is plotted, SI.
+  [[nodiscard]] const AnalysisTable& table() const { return table_; }
+
+ private:
+  /// All that the result follows from.
+  struct Key {
+    std::uint64_t clip_serial = 0;
+    std::uint64_t revision = 0;
+    std::uint64_t choices = 0;
+    const OtherClip* other = nullptr;
+    JointIndex joint = kNoParent;
+    SupportKind support = SupportKind::Auto;
+    Derivation derivation;
+    bool shows_plots = false;
+    bool shows_raw = false;
+    ShownArrows arrows;
+    friend bool operator==(const Key&, const Key&) = default;
+  };
+  void compute(const Session& session);
+  void make_plots(const Session& session);
+  void add_raw(const Clip& clip, AnalysisRequest request);
+  void add_other(const OtherClip& other, AnalysisRequest request);
+  void add_arrows(AnalysisRequest& request) const;
+
+  std::vector<PlotChoice> choices_ = usual_choices();
+  std::uint64_t choices_serial_ = 0;
+  Key key_;
+  bool known_ = false;
+  std::vector<AnalysisPlot> plots_;
+  AnalysisTable table_;
+  std::optional<ChosenBody> body_;
+  std::uint64_t body_clip_serial_ = 0;
+  std::uint64_t body_revision_ = 0;
+  bool knows_body_ = false;
+  std::string body_problem_;
+  std::vector<std::string> notes_;
+  std::string problem_;
+  double metres_per_unit_ = 0.01;
+  std::uint64_t serial_ = 0;
+};
+
+/// The quantity of a name; null for an unknown one.
+[[nodiscard]] const Quantity* find_quantity(std::string_view name);
+/// Whether a quantity is of a joint, so that it can be that of the active one.
+[[nodiscard]] bool is_of_joint(const Quantity& quantity);
+/// For people: "°/s" for "rad/s", "N·m" for "N.m".
+[[nodiscard]] std::string_view shown_unit(std::string_view unit);
+
+}  // namespace marey::app

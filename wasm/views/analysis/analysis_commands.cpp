@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "wasm/app/builtin_commands.h"
+#include "wasm/app/command_args.h"
+#include "wasm/app/icons.h"
+#include "wasm/app/widgets.h"
+#include "wasm/views/analysis/plot_svg.h"
+#include "wasm/views/analysis/plots_view.h"
+
+namespace marey::app {
+namespace {
+
+using nlohmann::json;
+
+constexpr float kPlotsShare = 0.56f;
+constexpr int kPrintPixels = 2126;  // 180 mm at 300 dots an inch
+
+Reason without_plots(const Workspace& workspace) {
+  if (Reason reason = needs_frames(workspace); *reason != '\0') return reason;
+  return workspace.analysis.plots().empty() || !workspace.analysis.problem().empty() ? "Show plots first." : "";
+}
+
+std::string picture_name(const Workspace& workspace, const char* ending) {
+  const std::string name = download_name(workspace.session.document.file_name());
+  return fmt::format("{}-plots.{}", name.substr(0, name.size() - 4), ending);
+}
+
+json tell_download(Workspace& workspace, const std::string& name, std::size_t bytes) {
+  workspace.notify("Downloaded " + ui::displayable(name) + ".");
+  return {{"name", ui::displayable(name)}, {"bytes", bytes}};
+}
+
+json save_csv(Workspace& workspace) {
+  const std::string text = write_plots_csv(workspace.session, workspace.analysis, workspace.session.document.save_text());
+  const std::string name = picture_name(workspace, "csv");
+  workspace.backend.download(name, text);
+  return tell_download(workspace, name, text.size());
+}
+
+json save_svg(Workspace& workspace) {
+  const std::string text = write_plots_svg(workspace.session, workspace.analysis);
+  const std::string name = picture_name(workspace, "svg");
+  workspace.backend.download(name, text);
+  return tell_download(workspace, name, text.size());
+}
+
+json save_png(Workspace& workspace) {
+  const std::string text = write_plots_svg(workspace.session, workspace.analysis);
+  const std::string name = picture_name(workspace, "png");
+  workspace.backend.download_picture(name, text, kPrintPixels);
+  workspace.notify("Downloaded " + ui::displayable(name) + ".");
+  return {{"name", ui::displayable(name)}};
+}
+
+void add_downloads(CommandRegistry& registry, Workspace& workspace) {
+  const auto add = [&](Command command, json (*save)(Workspace&)) {
+    command.run = [&workspace, save](const json&) { return save(workspace); };
+    command.blocked = [&workspace] { return without_plots(workspace); };
+    registry.add(std::move(command));
+  };
+  add({.id = "analysis.save_csv", .label = "Plots as a table", .help = "Downloads the plotted numbers, SI, as CSV with units, filter and file hash.",
+       .icon = icons::kTable}, save_csv);
+  add({.id = "analysis.save_svg", .label = "Plots as SVG", .help = "Downloads the plots as a drawing for print, 180 mm wide.",
+       .icon = icons::kFileDown}, save_svg);
+  add({.id = "analysis.save_png", .label = "Plots as PNG", .help = "Downloads the plots as a picture for print, 300 dots an inch.",
+       .icon = icons::kImage}, save_png);
+}
+
+json show_plots(Workspace& workspace) {
+  Preferences& preferences = workspace.preferences;
+  preferences.options.curves_page = CurvesPage::Plots;
+  preferences.options.show_curves = true;
+  preferences.sheet = Sheet::Curves;
+  return nullptr;
+}
+
+// The figure above, and below it angle, velocity, acceleration and torque of the selected joint under one cursor.
+json show_layout(Workspace& workspace) {
+  show_plots(workspace);
+  workspace.analysis.set_choices(Analysis::usual_choices());
+  ViewOptions& options = workspace.preferences.options;
+  options.plot_mode = PlotMode::OverTime;
+  workspace.preferences.sizes.curves_height = std::round(kPlotsShare * ImGui::GetIO().DisplaySize.y);
+  return nullptr;
+}
+
+/// {"quantities": ["torque:Body", "angle", "com"]}; without a joint that of the active one.
+json set_plots(Workspace& workspace, const json& args) {
+  if (!args.is_object() || !args.contains("quantities") || !args["quantities"].is_array()) {
+    return command_error("Give the plots as {\"quantities\": [\"torque:Body\", \"angle\", \"com\"]}.");
+  }
+  std::vector<PlotChoice> choices;
+  for (const json& text : args["quantities"]) {
+    if (!text.is_string()) return command_error("Every quantity is a text.");
+    const std::string wanted = text.get<std::string>();
+    const std::size_t colon = wanted.find(':');
+    const Quantity* quantity = find_quantity(std::string_view(wanted).substr(0, colon));
+    if (quantity == nullptr) return command_error(fmt::format("\"{}\" is not a quantity.", wanted));
+    choices.push_back({quantity, colon == std::string::npos ? std::string() : wanted.substr(colon + 1)});
+  }
+  workspace.analysis.set_choices(std::move(choices));
+  return show_plots(workspace);
+}
+
+/// {"derivative": "butterworth:6", "support": "pivot", "raw": true}.
+json set_method(Workspace& workspace, const json& args) {
+  Analysis& analysis = workspace.analysis;
+  CommandArgs read(args);
+  const std::string derivative = read.text("derivative", describe(analysis.derivation));
+  const std::string support = read.text("support", "");
+  const bool raw = read.boolean("raw", analysis.shows_raw);
+  if (read.failed()) return read.error();
+  const Result<Derivation> derivation = parse_derivation(derivative);
+  if (!derivation) return command_error(derivation.error().message);
+  const SupportKind* kind = support.empty() ? &analysis.support : find_support_kind(support);
+  if (kind == nullptr) return command_error("\"support\" is \"pivot\", \"flight\", \"ground\" or \"auto\".");
+  analysis.derivation = *derivation;
+  analysis.support = *kind;
+  analysis.shows_raw = raw;
+  return {{"derivative", describe(*derivation)}, {"raw", raw}};
+}
+
+void add_arrow_switches(CommandRegistry& registry, Workspace& workspace) {
+  ShownArrows& shown = workspace.preferences.options.shown_arrows;
+  const auto add = [&](Command command, bool& value) {
+    command.run = [&value](const json& args) -> json {
+      CommandArgs read(args);
+      const bool on = read.boolean("on", !value);
+      if (read.failed()) return read.error();
+      return value = on;
+    };
+    command.checked = [&value] { return value; };
+    command.blocked = [&workspace] { return needs_frames(workspace); };
+    registry.add(std::move(command));
+  };
+  const auto arrow = [&](BodyArrow kind) -> bool& { return shown.arrows[static_cast<int>(kind)]; };
+  add({.id = "view.com", .label = "Centre of mass", .help = "Draws the centre of mass, its path and its place on the ground.",
+       .icon = icons::kTarget}, shown.com);
+  add({.id = "view.arrows.velocity", .label = "Velocity arrows", .help = "Draws the velocities of the selected joints, or of all."},
+      arrow(BodyArrow::Velocity));
+  add({.id = "view.arrows.acceleration", .label = "Acceleration arrows", .help = "Draws the accelerations of the selected joints, or of all."},
+      arrow(BodyArrow::Acceleration));
+  add({.id = "view.arrows.force", .label = "Joint force arrows", .help = "Draws the forces on the selected joints, or on all, from their parents."},
+      arrow(BodyArrow::Force));
+  add({.id = "view.arrows.torque", .label = "Joint torque arrows", .help = "Draws the torques on the selected joints, or on all, from their parents."},
+      arrow(BodyArrow::Torque));
+  add({.id = "view.arrows.angular_momentum", .label = "Angular momentum arrow", .help = "Draws the angular momentum about the centre of mass."},
+      arrow(BodyArrow::AngularMomentum));
+  add({.id = "view.arrows.reaction", .label = "Support reaction arrow", .help = "Draws the force of the ground or of the bar on the body."},
+      arrow(BodyArrow::Reaction));
+}
+
+}  // namespace
+
+void add_analysis_commands(CommandRegistry& registry, Workspace& workspace) {
+  registry.add({.id = "analysis.layout",
+                .label = "Analysis layout",
+                .help = "Shows the figure with angle, velocity, acceleration and torque of the selected joint under one cursor.",
+                .shortcut = "Shift+P",
+                .icon = icons::kChartNoAxesCombined,
+                .run = [&workspace](const json&) { return show_layout(workspace); },
+                .blocked = [&workspace] { return needs_frames(workspace); }});
+  registry.add({.id = "analysis.plots",
+                .label = "Plot quantities",
+                .help = "Plots the quantities of a list.",
+                .run = [&workspace](const json& args) { return set_plots(workspace, args); },
+                .blocked = [&workspace] { return needs_frames(workspace); },
+                .in_palette = false});
+  registry.add({.id = "analysis.method",
+                .label = "Set the method",
+                .help = "Sets how derivatives are made and what holds the body.",
+                .run = [&workspace](const json& args) { return set_method(workspace, args); },
+                .in_palette = false});
+  add_downloads(registry, workspace);
+  add_arrow_switches(registry, workspace);
+}
+
+}  // namespace marey::app

@@ -1,0 +1,183 @@
+#include "wasm/views/analysis/body_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/editing/clip_operations.h"
+#include "wasm/app/widgets.h"
+#include "wasm/views/inspector/clip_page.h"
+#include "wasm/views/inspector/property_row.h"
+#include "wasm/views/number_edit.h"
+
+namespace marey::app {
+namespace {
+
+using Options = std::span<const ui::ChoiceOption>;
+
+Options table_options() {
+  static const std::vector<ui::ChoiceOption> kOptions = {{"body.table.auto", "By the names of the joints"},
+                                                         {"body.table.male", "de Leva 1996, male"},
+                                                         {"body.table.female", "de Leva 1996, female"},
+                                                         {"body.table.rods", "Uniform rods"}};
+  return kOptions;
+}
+
+Options support_options() {
+  static const std::vector<ui::ChoiceOption> kOptions = {{"body.support.pivot", "A bar or pivot at the root"},
+                                                         {"body.support.flight", "Nothing: in flight"},
+                                                         {"body.support.ground", "The ground"},
+                                                         {"body.support.auto", "As the motion tells"}};
+  return kOptions;
+}
+
+Options derivation_options() {
+  static const std::vector<ui::ChoiceOption> kOptions = {{"body.derivation.central", "As it is"},
+                                                         {"body.derivation.butterworth", "Butterworth"},
+                                                         {"body.derivation.savgol", "Savitzky-Golay"},
+                                                         {"body.derivation.gcv", "Quintic spline, GCV"}};
+  return kOptions;
+}
+
+void apply_body(ViewContext& context, const BodyChoice& body) {
+  const Status status = context.session.apply(make_body_edit(context.session.document.clip(), body));
+  if (!status) context.refusal = status.error().message;
+}
+
+void draw_table(ViewContext& context) {
+  const BodyChoice& present = context.session.document.clip().body;
+  const float width = inspector::begin_row(context, "Table");
+  int chosen = present.table ? static_cast<int>(*present.table) + 1 : 0;
+  if (ui::choice(context, "body.table", "Table", "Where the masses of the segments come from.", table_options(), chosen, width)) {
+    BodyChoice body = present;
+    body.table = chosen == 0 ? std::nullopt : std::optional(static_cast<BodyTable>(chosen - 1));
+    apply_body(context, body);
+  }
+  inspector::end_row();
+}
+
+void draw_mass(ViewContext& context, double mass_kg) {
+  const float width = inspector::begin_row(context, "Mass");
+  const auto result = ui::number_field(context, "body.mass", "Mass of the body", mass_kg,
+                                       {.unit = "kg", .decimals = 1, .step = 0.1, .low = 0.001, .high = 1e4, .width = width});
+  apply_number(context, result, [&](const Clip& clip) {
+    BodyChoice body = clip.body;
+    body.mass_kg = result.value;
+    body.own.clear();
+    return make_body_edit(clip, body);
+  });
+  inspector::end_row();
+}
+
+void draw_part(ViewContext& context, const GuessedPart& part, int index) {
+  const Skeleton& skeleton = context.session.document.skeleton();
+  ImGui::SetCursorPosX(inspector::kPadding);
+  const float room = ImGui::GetContentRegionAvail().x - inspector::kPadding;
+  constexpr float kNumberWidth = 84.0f;
+  const float y = ImGui::GetCursorPosY();
+  ImGui::AlignTextToFramePadding();
+  ui::elided_text(context, skeleton.name(part.joint), 0.5f * (room - kNumberWidth), context.theme.text);
+  ImGui::SetCursorPos({inspector::kPadding + 0.5f * (room - kNumberWidth) + 4.0f, y});
+  ImGui::AlignTextToFramePadding();
+  ui::elided_text(context, part.name, 0.5f * (room - kNumberWidth) - 8.0f, context.theme.dim_text);
+  ImGui::SetCursorPos({inspector::kPadding + room - kNumberWidth, y});
+  const auto result = ui::number_field(context, SmallText("body.part.{}", index).c_str(), part.name, part.mass_kg,
+                                       {.unit = "kg", .decimals = 2, .step = 0.01, .low = 0.0, .high = 1e4, .width = kNumberWidth});
+  apply_number(context, result, [&](const Clip& clip) {
+    BodyChoice body = clip.body;
+    const auto at = std::lower_bound(body.own.begin(), body.own.end(), part.joint,
+                                     [](const OwnMass& own, JointIndex joint) { return own.joint < joint; });
+    if (at != body.own.end() && at->joint == part.joint) at->mass_kg = result.value;
+    else body.own.insert(at, {part.joint, result.value});
+    return make_body_edit(clip, body);
+  });
+  inspector::end_row();
+}
+
+void draw_segments(ViewContext& context, const ChosenBody& body) {
+  inspector::heading(context, "Segments");
+  int index = 0;
+  for (const GuessedPart& part : body.body.parts) draw_part(context, part, index++);
+}
+
+void draw_notes(ViewContext& context, std::span<const std::string> notes) {
+  for (const std::string& note : notes) {
+    ImGui::SetCursorPosX(inspector::kPadding);
+    ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - inspector::kPadding);
+    ImGui::PushStyleColor(ImGuiCol_Text, context.theme.dim_text);
+    ImGui::TextUnformatted(note.c_str());
+    ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    ImGui::Dummy({0.0f, 4.0f});
+  }
+}
+
+void draw_support(ViewContext& context) {
+  inspector::heading(context, "What holds it");
+  const float width = inspector::begin_row(context, "Support");
+  int chosen = static_cast<int>(context.analysis.support);
+  if (ui::choice(context, "body.support", "Support", "What the body hangs on or stands on.", support_options(), chosen, width)) {
+    context.analysis.support = static_cast<SupportKind>(chosen);
+  }
+  inspector::end_row();
+}
+
+void draw_number(ViewContext& context, const char* id, const char* name, double& value, const ui::NumberFormat& format) {
+  ui::NumberFormat fitted = format;
+  fitted.width = inspector::begin_row(context, name);
+  const auto result = ui::number_field(context, id, name, value, fitted);
+  if (result.event == ui::NumberEvent::Live || result.event == ui::NumberEvent::Committed) value = result.value;
+  inspector::end_row();
+}
+
+void draw_derivation(ViewContext& context) {
+  Derivation& derivation = context.analysis.derivation;
+  inspector::heading(context, "Velocities and accelerations");
+  const float width = inspector::begin_row(context, "Smoothing");
+  int chosen = static_cast<int>(derivation.kind);
+  if (ui::choice(context, "body.derivation", "Smoothing", "What is done to samples before they are differentiated.", derivation_options(), chosen,
+                 width)) {
+    derivation.kind = static_cast<DerivationKind>(chosen);
+  }
+  inspector::end_row();
+  if (derivation.kind == DerivationKind::Butterworth) {
+    draw_number(context, "body.cutoff", "Cut-off", derivation.cutoff_hz, {.unit = "Hz", .decimals = 1, .step = 0.1, .low = 0.1, .high = 1000.0});
+  } else if (derivation.kind == DerivationKind::SavitzkyGolay) {
+    double window = derivation.window;
+    double degree = derivation.degree;
+    draw_number(context, "body.window", "Window", window, {.unit = "frames", .decimals = 0, .step = 2.0, .low = 3.0, .high = 301.0});
+    draw_number(context, "body.degree", "Degree", degree, {.unit = "", .decimals = 0, .step = 0.1, .low = 2.0, .high = 8.0});
+    derivation.window = static_cast<int>(window) / 2 * 2 + 1;
+    derivation.degree = std::min(static_cast<int>(degree), derivation.window - 1);
+  }
+  if (derivation.kind == DerivationKind::Central) return;
+  ImGui::SetCursorPosX(inspector::kPadding);
+  ui::toggle(context, "body.raw", "Without smoothing too", "Draws the unsmoothed curve in grey behind the smoothed one.", context.analysis.shows_raw);
+  inspector::end_row();
+}
+
+}  // namespace
+
+void draw_body_page(ViewContext& context) {
+  const Clip& clip = context.session.document.clip();
+  if (clip.skeleton.joint_count() == 0) return;
+  draw_derivation(context);
+  draw_support(context);
+  draw_notes(context, context.analysis.notes());
+  inspector::heading(context, "Body");
+  draw_table(context);
+  inspector::draw_unit(context);
+  context.analysis.follow_body(context.session, context.clip_serial);
+  const ChosenBody* body = context.analysis.body();
+  if (body == nullptr) {
+    draw_notes(context, std::span(&context.analysis.body_problem(), 1));
+    return;
+  }
+  draw_mass(context, body->mass_kg);
+  draw_notes(context, body->body.notes);
+  draw_segments(context, *body);
+  ImGui::Dummy({0.0f, 16.0f});
+}
+
+}  // namespace marey::app

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/sha256.h"
+#include "core/table/csv.h"
+#include "wasm/app/widgets.h"
+#include "wasm/views/analysis/plot_svg.h"
+
+namespace marey::app {
+namespace {
+
+bool is_plotted(const Analysis& analysis, const AnalysisColumn& column) {
+  const std::span<const AnalysisPlot> plots = analysis.plots();
+  return std::any_of(plots.begin(), plots.end(), [&](const AnalysisPlot& plot) {
+    return !plot.missing && plot.node == column.node &&
+           std::string_view(column.label).substr(0, column.label.find(':')) == plot.choice.quantity->name;
+  });
+}
+
+}  // namespace
+
+std::string write_plots_csv(const Session& session, const Analysis& analysis, std::string_view file_bytes) {
+  const Document& document = session.document;
+  const FrameRange range = session.playback.range();
+  constexpr std::string_view kSupports[] = {"pivot", "flight", "ground", "auto"};
+  std::string text = fmt::format("# file: {}\n# sha256: {}\n# frames: {} to {}, {} s each\n# derivative: {}\n# support: {}\n# metres per unit: {}\n",
+                                 ui::displayable(document.file_name()), sha256_hex(file_bytes), range.first + 1, range.end(),
+                                 document.motion().frame_time_s(), describe(analysis.derivation),
+                                 kSupports[static_cast<int>(analysis.support)], document.settings().metres_per_unit);
+  if (const ChosenBody* body = analysis.body()) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
+  for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);
+  std::vector<NumberColumn> columns;
+  for (const AnalysisColumn& column : analysis.table().columns) {
+    if (is_plotted(analysis, column)) columns.push_back({column.name, column.values});
+  }
+  append_columns_header(columns, text);
+  append_columns(columns, document.motion().frame_time_s(), range, text);
+  return text;
+}
+
+}  // namespace marey::app

@@ -1,0 +1,186 @@
+#include "wasm/views/analysis/plot_row.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "wasm/views/graph/ticks.h"
+
+namespace marey::app {
+namespace {
+
+constexpr float kInset = 6.0f;
+constexpr float kLineWidth = 1.75f;
+constexpr float kProjectorWidth = 2.75f;
+constexpr float kThinWidth = 1.0f;
+constexpr float kOtherAlpha = 0.6f;
+constexpr double kDenseSamplesPerColumn = 2.0;
+constexpr double kWheelZoom = 1.15;
+constexpr float kLetterHeight = 13.0f;
+
+double value_at(const PlotLine& line, FrameIndex frame) {
+  return frame >= 0 && frame < size_of(line.values) ? line.values[idx(frame)] : std::nan("");
+}
+
+}  // namespace
+
+ImU32 component_color(const Theme& theme, char component) {
+  return component >= 'x' && component <= 'z' ? theme.axis[component - 'x'] : theme.accent;
+}
+
+SmallText value_text(double value) {
+  if (!std::isfinite(value)) return SmallText("–");
+  const double size = std::abs(value);
+  if (size >= 1e6 || (size > 0.0 && size < 1e-3)) return SmallText("{:.2e}", value);
+  return SmallText("{}", tick_label(value, size >= 100.0 ? 1 : size >= 1.0 ? 2 : 3));
+}
+
+void PlotRow::follow(const AnalysisPlot& plot, std::uint64_t serial) {
+  if (serial == serial_) return;
+  serial_ = serial;
+  range_ = {};
+  pyramids_.clear();
+  for (const auto* lines : {&plot.lines, &plot.raw, &plot.other}) {
+    for (const PlotLine& line : *lines) {
+      if (lines != &plot.raw) range_.add(line.values);
+      pyramids_.emplace_back();
+      pyramids_.back().update(line.values, {0, size_of(line.values)});
+    }
+  }
+}
+
+void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(area_.min, area_.max, with_alpha(context.theme.app, 0.45f));
+  draw_frame_grid(list, area_, context.time_window, context.theme);
+  draw_value_grid(list, area_, axis_, context.theme);
+  if (plot.choice.quantity->level == DerivativeLevel::Pose || plot.lines.empty()) return;
+  const Motion& motion = context.session.document.motion();
+  const int reach = uncertain_end_frames(context.analysis.derivation, 1.0 / motion.frame_time_s());
+  const ImU32 shade = with_alpha(context.theme.warning, 0.13f);
+  const float first = context.time_window.x_of(std::min(reach, motion.frame_count()));
+  const float last = context.time_window.x_of(std::max(motion.frame_count() - 1 - reach, 0));
+  const float start = context.time_window.x_of(0.0);
+  const float end = context.time_window.x_of(motion.frame_count() - 1);
+  list.PushClipRect(area_.min, area_.max, true);
+  list.AddRectFilled({start, area_.min.y}, {first, area_.max.y}, shade);
+  list.AddRectFilled({last, area_.min.y}, {end, area_.max.y}, shade);
+  list.PopClipRect();
+}
+
+void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width) {
+  if (!dense_) {
+    shape_.build(line.values, context.time_window, axis_);
+    shape_.draw(*ImGui::GetWindowDrawList(), color, width);
+    return;
+  }
+  extents_.resize(idx(columns_.count));
+  compute_column_extents(pyramids_[number], line.values, columns_, extents_);
+  band_.build(extents_, columns_, context.time_window, axis_);
+  band_.add_to(batch_, color, width);
+}
+
+void PlotRow::draw_lines(ViewContext& context, const AnalysisPlot& plot) {
+  const Theme& theme = context.theme;
+  columns_ = visible_columns(context.time_window, context.session.document.motion().frame_count());
+  dense_ = columns_.frames_per_column >= kDenseSamplesPerColumn;
+  const float width = context.options.projector ? kProjectorWidth : kLineWidth;
+  const Look look{serial_, context.time_window, axis_, {theme.axis[0], theme.axis[1], theme.axis[2], theme.accent, theme.ghost}, width};
+  const bool is_same = dense_ && look == look_;
+  look_ = look;
+  if (!is_same) {
+    if (dense_) batch_.begin();
+    std::size_t number = plot.lines.size();
+    for (const PlotLine& line : plot.raw) add_line(context, line, number++, theme.ghost, kThinWidth);
+    for (const PlotLine& line : plot.other) {
+      add_line(context, line, number++, with_alpha(component_color(theme, line.component), kOtherAlpha), kThinWidth);
+    }
+    number = 0;
+    for (const PlotLine& line : plot.lines) add_line(context, line, number++, component_color(theme, line.component), width);
+    if (dense_) batch_.finish();
+  }
+  if (dense_) add_curve_batch(*ImGui::GetWindowDrawList(), batch_);
+}
+
+// The letters of the components, beside the last values in sight; none covers another.
+void PlotRow::draw_ends(ViewContext& context, const AnalysisPlot& plot) const {
+  struct End {
+    float y = 0.0f;
+    char letter = 0;
+  };
+  std::array<End, 3> ends;
+  std::size_t count = 0;
+  const int last = std::min(static_cast<int>(std::floor(context.time_window.last)), context.session.document.motion().frame_count() - 1);
+  for (const PlotLine& line : plot.lines) {
+    int frame = last;
+    while (frame > 0 && frame > last - 64 && !std::isfinite(value_at(line, frame))) --frame;
+    const double value = value_at(line, frame);
+    if (line.component == 0 || !std::isfinite(value) || count == ends.size()) continue;
+    ends[count++] = {axis_.y_of(value) - 0.5f * kLetterHeight, line.component};
+  }
+  std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count), [](const End& a, const End& b) { return a.y < b.y; });
+  for (std::size_t i = 0; i < count; ++i) {
+    const float above = i == 0 ? area_.min.y : ends[i - 1].y + kLetterHeight;
+    const float below = area_.max.y - kLetterHeight * static_cast<float>(count - i);
+    ends[i].y = std::min(std::max(ends[i].y, above), std::max(below, area_.min.y));
+    const char text[] = {static_cast<char>(ends[i].letter - 'x' + 'X'), '\0'};
+    ImGui::GetWindowDrawList()->AddText(context.fonts.semibold, Fonts::kSmallSize, {area_.max.x + 6.0f, std::round(ends[i].y)},
+                                        component_color(context.theme, ends[i].letter), text);
+  }
+}
+
+void PlotRow::draw_cursor(ViewContext& context, const AnalysisPlot& plot) const {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float x = std::round(context.time_window.x_of(context.session.playback.position()));
+  if (x < area_.min.x || x > area_.max.x) return;
+  list.AddLine({x, area_.min.y}, {x, area_.max.y}, context.theme.cursor, 1.5f);
+  for (const PlotLine& line : plot.lines) {
+    const double value = value_at(line, context.session.playback.frame());
+    if (!std::isfinite(value)) continue;
+    list.AddCircleFilled({x, axis_.y_of(value)}, 3.5f, component_color(context.theme, line.component), 12);
+    list.AddCircle({x, axis_.y_of(value)}, 3.5f, context.theme.panel, 12, 1.0f);
+  }
+}
+
+void PlotRow::handle_input(ViewContext& context, const AnalysisPlot& plot, int index) const {
+  ImGui::SetCursorScreenPos(area_.min);
+  const SmallText id("plots.canvas.{}", index);
+  ImGui::InvisibleButton(id.c_str(), {area_.max.x - area_.min.x, area_.max.y - area_.min.y},
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
+  context.items.add_last(id, plot.choice.quantity->label);
+  const ImGuiIO& io = ImGui::GetIO();
+  TimeWindow& time = context.time_window;
+  const int frames = context.session.document.motion().frame_count();
+  if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    context.session.playback.set_position(std::round(time.frame_at(io.MousePos.x)));
+  } else if (ImGui::IsItemActive()) {
+    time.pan(-static_cast<double>(io.MouseDelta.x) * time.frames_per_unit(), frames);
+  }
+  if (!ImGui::IsItemHovered()) return;
+  context.status = "Drag to move the cursor. Wheel: zoom in time. Shift+wheel: pan.";
+  const double turns = static_cast<double>(io.MouseWheel);
+  const double sideways = static_cast<double>(io.MouseWheelH) + (io.KeyShift ? turns : 0.0);
+  if (sideways != 0.0) time.pan(-0.1 * sideways * (time.last - time.first), frames);
+  else if (turns != 0.0) time.zoom(io.MousePos.x, std::pow(kWheelZoom, -turns), frames);
+}
+
+void PlotRow::draw(ViewContext& context, const AnalysisPlot& plot, std::uint64_t serial, int index, ImVec2 min, ImVec2 max) {
+  follow(plot, serial);
+  area_ = {{context.time_window.left, min.y + kInset}, {context.time_window.right, max.y - kInset}};
+  if (area_.max.y - area_.min.y < 12.0f || area_.max.x - area_.min.x < 12.0f) return;
+  axis_ = {};
+  if (!range_.empty) axis_.fit(range_.low, range_.high, 1e-9 + 1e-6 * std::max(std::abs(range_.low), std::abs(range_.high)));
+  axis_.top = area_.min.y;
+  axis_.bottom = area_.max.y;
+  draw_ground(context, plot);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.PushClipRect(area_.min, area_.max, true);
+  draw_lines(context, plot);
+  draw_cursor(context, plot);
+  list.PopClipRect();
+  draw_ends(context, plot);
+  draw_value_labels(list, area_, axis_, AxisSide::Left, plot.unit == "°" ? plot.unit : "", context.theme, context.fonts);
+  handle_input(context, plot, index);
+}
+
+}  // namespace marey::app

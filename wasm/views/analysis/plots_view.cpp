@@ -1,0 +1,218 @@
+#include "wasm/views/analysis/plots_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "wasm/app/icons.h"
+#include "wasm/app/widgets.h"
+#include "wasm/views/graph/small_plot.h"
+#include "wasm/views/time_gutter.h"
+
+namespace marey::app {
+namespace {
+
+constexpr float kLeastRowHeight = 64.0f;
+constexpr float kLabelInset = 12.0f;
+constexpr float kLeastPlotWidth = 200.0f;
+constexpr const char* kAddList = "plots.add.list";
+
+std::span<const ui::ChoiceOption> mode_options() {
+  static const std::vector<ui::ChoiceOption> kOptions = {{"plots.mode.time", "Over time"},
+                                                         {"plots.mode.against", "Against the first"},
+                                                         {"plots.mode.statistics", "Statistics"}};
+  return kOptions;
+}
+
+void draw_text(ViewContext& context, ImFont* font, ImVec2 at, float width, ImU32 color, std::string_view text) {
+  ImGui::SetCursorScreenPos(at);
+  ImGui::PushFont(font, Fonts::kTextSize);
+  ui::elided_text(context, text, width, color);
+  ImGui::PopFont();
+}
+
+}  // namespace
+
+const Quantity* draw_quantity_list(ViewContext& context, const char* popup) {
+  const Quantity* chosen = nullptr;
+  if (!ImGui::BeginPopup(popup)) return nullptr;
+  ui::popup_shadow(context);
+  for (const Quantity& quantity : quantities()) {
+    const SmallText label("{} [{}]", quantity.label, shown_unit(quantity.unit));
+    if (ImGui::Selectable(label.c_str())) chosen = &quantity;
+    context.items.add_last(SmallText("plots.add.{}", quantity.name), label);
+  }
+  ImGui::EndPopup();
+  return chosen;
+}
+
+void PlotsView::draw_add(ViewContext& context) {
+  if (ui::text_button(context, "plots.add", "Add plot", "Plots another quantity, of the selected joint where it is of a joint.")) {
+    ImGui::OpenPopup(kAddList);
+  }
+  const Quantity* chosen = draw_quantity_list(context, kAddList);
+  if (chosen == nullptr) return;
+  std::vector<PlotChoice> choices = context.analysis.choices();
+  choices.push_back({chosen, {}});
+  context.analysis.set_choices(std::move(choices));
+  context.redraw = true;
+}
+
+void PlotsView::draw_toolbar(ViewContext& context, ImVec2 min, float width) {
+  ImGui::SetCursorScreenPos({min.x + kLabelInset, min.y + 4.0f});
+  ImGui::BeginChild("plots.toolbar", {width - kLabelInset, ImGui::GetFrameHeight() + 4.0f}, ImGuiChildFlags_None, ImGuiWindowFlags_NoScrollbar);
+  draw_add(context);
+  ImGui::SameLine(0.0f, 8.0f);
+  int mode = static_cast<int>(context.options.plot_mode);
+  if (ui::choice(context, "plots.mode", "Show", "Curves over time, curves against the first one, or statistics of the range.", mode_options(),
+                 mode, 148.0f)) {
+    context.options.plot_mode = static_cast<PlotMode>(mode);
+  }
+  for (const char* id : {"analysis.body", "analysis.save_csv", "analysis.save_svg", "analysis.save_png"}) {
+    ImGui::SameLine(0.0f, 4.0f);
+    ui::command_button(context, id);
+  }
+  ImGui::SameLine(0.0f, 12.0f);
+  ImGui::AlignTextToFramePadding();
+  const std::vector<std::string>& notes = context.analysis.notes();
+  const SmallText text("{}{}{}", describe(context.analysis.derivation), notes.empty() ? "" : ". ", notes.empty() ? "" : notes.back());
+  ui::elided_text(context, text, ImGui::GetContentRegionAvail().x - 8.0f, context.theme.dim_text);
+  context.items.add_last("plots.method", text);
+  ImGui::EndChild();
+}
+
+void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at) {
+  const bool of_joint = is_of_joint(*plot.choice.quantity);
+  const bool pinned = !plot.choice.owner.empty();
+  const float button = ImGui::GetFrameHeight();
+  std::vector<PlotChoice> choices;
+  if (of_joint && !plot.missing) {
+    ImGui::SetCursorScreenPos({at.x - 2.0f * button, at.y});
+    const char* tip = pinned ? "Follow the selection. The plot is of the selected joint again."
+                             : "Keep this joint. The plot stays with it when another one is selected.";
+    if (ui::icon_button(context, SmallText("plots.pin.{}", index).c_str(), icons::kPin, tip, pinned)) {
+      choices = context.analysis.choices();
+      choices[idx(index)].owner = pinned ? std::string() : plot.owner;
+    }
+  }
+  ImGui::SetCursorScreenPos({at.x - button, at.y});
+  bool removed = false;
+  if (ui::icon_button(context, SmallText("plots.remove.{}", index).c_str(), icons::kX, "Remove plot. It can be added again.")) {
+    choices = context.analysis.choices();
+    choices.erase(choices.begin() + index);
+    removed = true;
+  }
+  if (!choices.empty() || removed) context.analysis.set_choices(std::move(choices));
+  if (!choices.empty() || removed) context.redraw = true;
+}
+
+void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) {
+  const float width = max.x - min.x - kLabelInset;
+  const float buttons = 2.0f * ImGui::GetFrameHeight();
+  const ImVec2 at{min.x + kLabelInset, min.y + 6.0f};
+  const Theme& theme = context.theme;
+  draw_text(context, context.fonts.semibold, at, width - buttons, theme.text, plot.choice.quantity->label);
+  draw_buttons(context, plot, index, {max.x, min.y + 2.0f});
+  const SmallText owner("{}{}", plot.owner, plot.missing ? " is not in this figure" : "");
+  draw_text(context, context.fonts.text, {at.x, at.y + 18.0f}, width - 48.0f, plot.missing ? theme.warning : theme.dim_text, owner);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float unit_width = ImGui::CalcTextSize(plot.unit.data(), plot.unit.data() + plot.unit.size()).x;
+  list.AddText({max.x - unit_width - 4.0f, at.y + 18.0f}, theme.dim_text, plot.unit.data(), plot.unit.data() + plot.unit.size());
+  const FrameIndex frame = context.session.playback.frame();
+  float y = at.y + 36.0f;
+  const bool in_one_row = max.y - y < 3.0f * 15.0f;
+  float x = at.x;
+  for (const PlotLine& line : plot.lines) {
+    if (y + 12.0f > max.y) return;
+    const double value = frame < size_of(line.values) ? line.values[idx(frame)] : std::nan("");
+    const char letter[] = {line.component == 0 ? ' ' : static_cast<char>(line.component - 'x' + 'X'), '\0'};
+    const SmallText text("{} {}", letter, value_text(value));
+    list.AddText(context.fonts.mono, Fonts::kSmallSize, {std::round(x), std::round(y)}, component_color(theme, line.component), text.c_str());
+    context.items.add(SmallText("plots.value.{}.{}", index, line.component == 0 ? "n" : letter), value_text(value), {x, y}, {x + 50.0f, y + 12.0f});
+    if (in_one_row) x += width / 3.0f;
+    else y += 15.0f;
+  }
+}
+
+void PlotsView::draw_rows(ViewContext& context, ImVec2 min, ImVec2 max) {
+  const std::span<const AnalysisPlot> plots = context.analysis.plots();
+  rows_.resize(plots.size());
+  ImGui::SetCursorScreenPos(min);
+  ImGui::BeginChild("plots.rows", {max.x - min.x, max.y - min.y}, ImGuiChildFlags_None, ImGuiWindowFlags_NoScrollWithMouse);
+  const float count = static_cast<float>(std::max<std::size_t>(plots.size(), 1));
+  const float height = std::max(kLeastRowHeight, std::floor((max.y - min.y) / count));
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    const float top = corner.y + static_cast<float>(i) * height;
+    ImGui::PushID(static_cast<int>(i));
+    rows_[i].draw(context, plots[i], context.analysis.serial(), static_cast<int>(i), {min.x, top}, {max.x, top + height});
+    const float label_right = context.options.compact ? max.x - 44.0f : min.x + kChannelListWidth;
+    const float label_left = context.options.compact ? context.time_window.left - 4.0f : min.x;
+    draw_label(context, plots[i], static_cast<int>(i), {label_left, top}, {label_right, top + height});
+    if (i > 0) ImGui::GetWindowDrawList()->AddLine({min.x, top}, {max.x, top}, context.theme.line);
+    ImGui::PopID();
+  }
+  ImGui::SetCursorScreenPos(corner);
+  ImGui::Dummy({1.0f, height * static_cast<float>(plots.size()) - 1.0f});
+  ImGui::EndChild();
+}
+
+// Components are joined with those of the same direction; all of them with the first's only one.
+void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const {
+  const std::span<const AnalysisPlot> plots = context.analysis.plots();
+  if (plots.size() < 2 || plots[0].lines.empty()) {
+    ImGui::SetCursorScreenPos({min.x + kLabelInset, min.y + kLabelInset});
+    ui::dim_text(context, "Add a second plot to see it against the first.");
+    return;
+  }
+  const AnalysisPlot& first = plots[0];
+  ValueRange range;
+  for (const PlotLine& line : first.lines) range.add(line.values);
+  const FrameIndex frame = context.session.playback.frame();
+  const SmallText x_unit("{} {}", first.choice.quantity->label, first.unit);
+  for (int i = 1; i < size_of(plots); ++i) {
+    const AnalysisPlot& plot = plots[idx(i)];
+    std::vector<PlotCurve> curves;
+    std::vector<PlotMark> marks;
+    for (const PlotLine& line : plot.lines) {
+      const auto x = std::find_if(first.lines.begin(), first.lines.end(), [&](const PlotLine& l) { return l.component == line.component; });
+      const PlotLine& along = x == first.lines.end() ? first.lines.front() : *x;
+      const ImU32 color = component_color(context.theme, line.component);
+      curves.push_back({along.values, line.values, color, 1.5f});
+      const char letter[] = {line.component == 0 ? '\0' : static_cast<char>(line.component - 'x' + 'X'), '\0'};
+      marks.push_back({along.values[idx(frame)], with_alpha(color, 0.7f), letter[0] == '\0' ? "" : letter[0] == 'X' ? "X" : letter[0] == 'Y' ? "Y" : "Z"});
+    }
+    const ImVec4 place = plot_place(i - 1, size_of(plots) - 1, {min.x + 4.0f, min.y}, max, kLeastPlotWidth);
+    const double margin = 0.04 * std::max(range.high - range.low, 1e-9);
+    const std::string title = plot.title();
+    draw_small_plot(context, SmallText("plots.against.{}", i).c_str(), {place.x, place.y}, {place.z, place.w},
+                    {title, x_unit, "", range.low - margin, range.high + margin, curves, marks, {}, false});
+  }
+}
+
+void follow_analysis(ViewContext& context) {
+  const bool waits = context.analysis.follow(context.session, context.clip_serial, context.options.curves_page == CurvesPage::Plots,
+                                             context.options.shown_arrows, ImGui::IsMouseDown(ImGuiMouseButton_Left));
+  context.redraw = context.redraw || waits;
+}
+
+void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_width) {
+  follow_analysis(context);
+  draw_toolbar(context, min, max.x - min.x - pages_width);
+  const ImVec2 top{min.x, min.y + ImGui::GetFrameHeight() + 10.0f};
+  if (max.y - top.y < 40.0f) return;
+  if (!context.analysis.problem().empty() || context.analysis.plots().empty()) {
+    ImGui::SetCursorScreenPos({top.x + kLabelInset, top.y + kLabelInset});
+    const std::string& problem = context.analysis.problem();
+    ui::elided_text(context, problem.empty() ? "Nothing is plotted. Add a plot." : problem, max.x - min.x - 2.0f * kLabelInset,
+                    problem.empty() ? context.theme.dim_text : context.theme.warning);
+    context.items.add_last("plots.problem", problem);
+    return;
+  }
+  switch (context.options.plot_mode) {
+    case PlotMode::OverTime: draw_rows(context, top, max); break;
+    case PlotMode::AgainstFirst: draw_against(context, top, max); break;
+    case PlotMode::Statistics: draw_statistics(context, top, max); break;
+  }
+}
+
+}  // namespace marey::app

@@ -1,0 +1,68 @@
+#include <array>
+
+#include "core/signal/range_statistics.h"
+#include "wasm/app/widgets.h"
+#include "wasm/views/analysis/plots_view.h"
+
+namespace marey::app {
+namespace {
+
+constexpr std::array kColumns = {"Quantity", "Of", "Unit", "Lowest", "at", "Highest", "at", "Mean", "RMS"};
+constexpr float kPadding = 12.0f;
+
+void draw_number(ViewContext& context, const SmallText& text) {
+  ImGui::TableNextColumn();
+  ImGui::PushFont(context.fonts.mono, Fonts::kSmallSize);
+  const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+  if (room > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopFont();
+}
+
+void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, int row) {
+  const auto found = find_range_statistics(line.values, context.session.playback.range());
+  const double frame_time = context.session.document.motion().frame_time_s();
+  const auto time_of = [&](FrameIndex frame) { return SmallText("{:.3f} s", frame * frame_time); };
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  const char letter[] = {' ', line.component == 0 ? '\0' : static_cast<char>(line.component - 'x' + 'X'), '\0'};
+  ui::elided_text(context, SmallText("{}{}", plot.choice.quantity->label, letter[1] == '\0' ? "" : letter), ImGui::GetContentRegionAvail().x,
+                  component_color(context.theme, line.component));
+  ImGui::TableNextColumn();
+  ui::elided_text(context, plot.owner, ImGui::GetContentRegionAvail().x, context.theme.text);
+  ImGui::TableNextColumn();
+  ui::dim_text(context, plot.unit);
+  if (!found) return;
+  draw_number(context, value_text(found->least));
+  context.items.add_last(SmallText("plots.statistics.{}.lowest", row), value_text(found->least));
+  draw_number(context, time_of(found->least_frame));
+  draw_number(context, value_text(found->greatest));
+  context.items.add_last(SmallText("plots.statistics.{}.highest", row), value_text(found->greatest));
+  draw_number(context, time_of(found->greatest_frame));
+  draw_number(context, value_text(found->mean));
+  draw_number(context, value_text(found->rms));
+}
+
+}  // namespace
+
+void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
+  const FrameRange range = context.session.playback.range();
+  ImGui::SetCursorScreenPos({min.x + kPadding, min.y});
+  const ImVec2 size{max.x - min.x - 2.0f * kPadding, max.y - min.y - 4.0f};
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_ScrollY | ImGuiTableFlags_RowBg | ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp;
+  if (!ImGui::BeginTable("plots.statistics", size_of(kColumns), kFlags, size)) return;
+  ImGui::TableSetupScrollFreeze(0, 1);
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    const SmallText id("{}##{}", kColumns[i], i);
+    ImGui::TableSetupColumn(id.c_str(), ImGuiTableColumnFlags_None, i == 0 ? 2.2f : i == 1 ? 1.6f : 1.0f);
+  }
+  ImGui::TableHeadersRow();
+  int row = 0;
+  for (const AnalysisPlot& plot : context.analysis.plots()) {
+    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, row++);
+  }
+  ImGui::EndTable();
+  context.items.add_last("plots.statistics", SmallText("Frames {} to {}", range.first + 1, range.end()));
+}
+
+}  // namespace marey::app
