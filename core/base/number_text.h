@@ -25,8 +25,9 @@ struct NumberFormat {
 };
 
 inline constexpr int kMaxDecimals = 40;
-/// Longest text that append_number() adds.
-inline constexpr int kMaxNumberLength = 96;
+/// Longest text that append_number() adds, whatever the format: 17 digits with a sign, a point and an exponent of 255 digits.
+/// Without an exponent there are less: 127 digits and 40 decimals, or 128 zeros and 17 digits.
+inline constexpr int kMaxNumberLength = 288;
 
 /// Appends `value` in the given format. Where that form would not read back as the same bits, the shortest form that
 /// does is written instead. Not a number and infinities become "nan", "inf" and "-inf".

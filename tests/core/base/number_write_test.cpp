@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -61,6 +62,23 @@ TEST(AppendNumber, ReadsBackAsTheSameBitsInEveryFormat) {
     ASSERT_TRUE(same_bits(read.value, value)) << text << " for " << value;
     ASSERT_LE(text.size(), static_cast<std::size_t>(kMaxNumberLength)) << text;
   }
+}
+
+TEST(AppendNumber, IsNeverLongerThanItSays) {
+  Random random(12);
+  std::size_t longest = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    NumberFormat format = random_format(random);
+    format.exponent_below = static_cast<std::int8_t>(random.one_in(2) ? -128 : random.below(256) - 128);
+    format.exponent_from = static_cast<std::int8_t>(random.one_in(2) ? 127 : random.below(256) - 128);
+    format.exponent_digits = static_cast<std::uint8_t>(random.below(256));
+    const double power = std::pow(10.0, random.below(616) - 307);
+    for (const double value : {test::random_sample(random), power, -1.2345678901234567 * power, -0.1 / power}) {
+      longest = std::max(longest, written(value, format).size());
+    }
+  }
+  EXPECT_GT(longest, 270u);
+  EXPECT_LE(longest, static_cast<std::size_t>(kMaxNumberLength));
 }
 
 TEST(AppendNumber, GivesBackTheDecimalsOfAFile) {

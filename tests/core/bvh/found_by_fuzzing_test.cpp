@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/bvh/save_options.h"
 #include "core/table/csv_reader.h"
 #include "core/text/utf8.h"
 #include "tests/core/bvh/bvh_texts.h"
@@ -97,6 +98,17 @@ TEST(FoundByFuzzing, SemicolonsFoundWithoutACountAreNotWrittenWithOne) {
       "HIERARCHY\nROOT a\n{\n OFFSET 0 0 0\n CHANNELS 1 Zrotation\n}\nMOTION\nFram.s: 4\nFrame.0166\n95\n89.9;528593\n.741013\n89.4\n");
   ASSERT_EQ(rows_of(clip).size(), 6u);
   EXPECT_EQ(rows_of(read_or_fail(written(clip))), rows_of(clip)) << written(clip);
+}
+
+// Rows were made in memory for numbers of 96 bytes.
+TEST(FoundByFuzzing, NumbersOfMoreThanAHundredDigitsFitTheirRows) {
+  std::string text = "HIERARCHY\nROOT a\n{\n OFFSET 0 0 0\n CHANNELS 1 Zrotation\n}\nMOTION\nFrames: 4\nFrame Time: 0.1\n";
+  for (int i = 0; i < 4; ++i) text += std::string(121, '7') + "\n";
+  const BvhClip clip = read_or_fail(text);
+  SaveOptions options;
+  options.decimals = 3;
+  const std::string saved = write_bvh(clip.skeleton, clip.motion, clip.style, options);
+  EXPECT_EQ(rows_of(read_or_fail(saved)), rows_of(clip)) << saved;
 }
 
 }  // namespace

@@ -158,7 +158,7 @@ void add_analysis_commands(CommandRegistry& registry, Workspace& workspace) {
   registry.add({.id = "analysis.layout",
                 .label = "Analysis layout",
                 .help = "Shows the figure with angle, velocity, acceleration and torque of the selected joint under one cursor.",
-                .shortcut = "Shift+P",
+                .shortcut = "Shift+M",
                 .icon = icons::kChartNoAxesCombined,
                 .run = [&workspace](const json&) { return show_layout(workspace); },
                 .blocked = [&workspace] { return needs_frames(workspace); }});

@@ -1,0 +1,193 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/biomechanics/analysis.h"
+#include "core/editing/curve_operations.h"
+#include "tests/app/support/allocation_count.h"
+#include "tests/app/support/app_stage.h"
+
+namespace marey::app {
+namespace {
+
+using Json = nlohmann::json;
+using testing::HasSubstr;
+
+/// The giant swing in the analysis layout, its first segment selected.
+class PlotsViewTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    stage_.open_sample("giant-swing");
+    stage_.app().session().playback.set_playing(false);
+    stage_.app().session().selection.select_only(1);
+    stage_.app().run_command("analysis.layout", nullptr);
+    stage_.settle();
+  }
+
+  [[nodiscard]] Json plots() { return stage_.state()["analysis"]["plots"]; }
+  [[nodiscard]] const Clip& clip() { return stage_.app().session().document.clip(); }
+
+  AppStage stage_;
+};
+
+TEST_F(PlotsViewTest, ShowsAngleVelocityAccelerationAndTorqueOfTheSelectedJoint) {
+  ASSERT_EQ(plots().size(), 4u);
+  const char* units[] = {"°", "°/s", "°/s²", "N·m"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(plots()[i]["unit"], units[i]);
+    EXPECT_EQ(plots()[i]["owner"], clip().skeleton.name(1));
+    EXPECT_TRUE(stage_.shows("plots.canvas." + std::to_string(i)));
+  }
+  stage_.app().session().selection.select_only(2);
+  stage_.settle();
+  EXPECT_EQ(plots()[3]["owner"], clip().skeleton.name(2));
+}
+
+TEST_F(PlotsViewTest, HasTheNumbersOfTheAnalysisAtTheCursor) {
+  const auto body = find_chosen_body(clip());
+  AnalysisRequest request;
+  request.quantities = {"torque:" + std::string(clip().skeleton.name(1))};
+  request.model = body->body.model;
+  const auto table = analyse(clip(), request);
+  stage_.app().session().playback.set_position(7);
+  stage_.settle();
+  EXPECT_DOUBLE_EQ(plots()[3]["values"]["z"].get<double>(), table->columns[2].values[7]);
+  stage_.app().session().playback.set_position(0);
+  stage_.settle();
+  EXPECT_TRUE(plots()[3]["values"]["z"].is_null());
+}
+
+TEST_F(PlotsViewTest, FollowsEditsAndTheirUndoing) {
+  stage_.app().session().playback.set_position(7);
+  stage_.settle();
+  const Json before = plots();
+  stage_.app().run_command("edit.operation", {{"do", "scale factor=2"}});
+  stage_.settle();
+  EXPECT_NE(plots(), before);
+  stage_.app().run_command("edit.undo", nullptr);
+  stage_.settle();
+  EXPECT_EQ(plots(), before);
+}
+
+TEST_F(PlotsViewTest, PutsTheCursorWhereItIsDragged) {
+  const UiItem canvas = stage_.item("plots.canvas.1");
+  stage_.click_at({0.5f * (canvas.min.x + canvas.max.x), canvas.min.y + 10.0f});
+  stage_.settle();
+  EXPECT_NEAR(stage_.state()["frame"].get<int>(), 11, 1);
+}
+
+TEST_F(PlotsViewTest, AddsKeepsAndRemovesPlots) {
+  stage_.click("plots.add");
+  stage_.settle();
+  stage_.click("plots.add.com");
+  stage_.settle();
+  ASSERT_EQ(plots().size(), 5u);
+  EXPECT_EQ(plots()[4]["quantity"], "com");
+  EXPECT_EQ(plots()[4]["owner"], "whole body");
+  stage_.click("plots.pin.0");
+  stage_.settle();
+  stage_.app().session().selection.select_only(2);
+  stage_.settle();
+  EXPECT_EQ(plots()[0]["owner"], clip().skeleton.name(1));
+  EXPECT_EQ(plots()[1]["owner"], clip().skeleton.name(2));
+  for (int i = 0; i < 5; ++i) {
+    stage_.click("plots.remove.0");
+    stage_.settle();
+  }
+  EXPECT_TRUE(plots().empty());
+  EXPECT_FALSE(stage_.shows("plots.canvas.0"));
+}
+
+TEST_F(PlotsViewTest, SaysWhereAJointIsMissing) {
+  stage_.app().run_command("analysis.plots", {{"quantities", {"torque:Nobody", "angle"}}});
+  stage_.settle();
+  EXPECT_EQ(plots()[0]["values"], Json::object());
+  EXPECT_FALSE(plots()[1]["values"].empty());
+  EXPECT_TRUE(stage_.state()["analysis"]["problem"].is_null());
+  EXPECT_TRUE(stage_.app().run_command("analysis.plots", {{"quantities", {"beauty"}}}).contains("error"));
+}
+
+TEST_F(PlotsViewTest, ShowsTheOtherTwoPages) {
+  for (const char* mode : {"plots.mode.statistics", "plots.mode.against"}) {
+    stage_.click("plots.mode");
+    stage_.settle();
+    stage_.click(mode);
+    stage_.settle();
+    EXPECT_TRUE(stage_.shows(std::string(mode) == "plots.mode.against" ? "plots.against.1" : "plots.statistics"));
+  }
+}
+
+TEST_F(PlotsViewTest, WritesTableAndDrawing) {
+  stage_.app().run_command("analysis.method", {{"derivative", "savgol:7,3"}, {"support", "pivot"}});
+  stage_.settle();
+  const Json csv = stage_.app().run_command("analysis.save_csv", nullptr);
+  const auto& [name, text] = stage_.log().downloads.back();
+  EXPECT_EQ(name, "giant-swing-plots.csv");
+  EXPECT_EQ(csv["bytes"], text.size());
+  for (const char* part : {"# file: giant-swing.bvh\n", "# sha256: ", "# derivative: savgol:7,3\n", "# support: pivot\n", "# body: ",
+                           "frame,time[s],angle:", "[N.m]"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+  stage_.app().run_command("analysis.save_svg", nullptr);
+  const std::string& svg = stage_.log().downloads.back().second;
+  for (const char* part : {"width=\"180mm\"", "Joint torque [N·m]", "time [s]", "savgol:7,3", "</svg>"}) EXPECT_THAT(svg, HasSubstr(part));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {
+  stage_.app().run_command("analysis.body", nullptr);
+  stage_.settle();
+  ASSERT_TRUE(stage_.shows("body.mass"));
+  stage_.double_click("body.mass");
+  stage_.settle();
+  stage_.press(ImGuiMod_Ctrl | ImGuiKey_A);
+  stage_.type("90");
+  stage_.press(ImGuiKey_Enter);
+  stage_.settle();
+  EXPECT_EQ(clip().body.mass_kg, 90.0);
+  EXPECT_EQ(stage_.state()["undoName"], "Change mass of the body");
+  stage_.app().run_command("edit.undo", nullptr);
+  EXPECT_EQ(clip().body, BodyChoice{});
+}
+
+TEST_F(PlotsViewTest, DrawsArrowsAndTheCentreOfMass) {
+  const std::size_t balls = stage_.app().scene().balls.size();
+  const std::size_t lines = stage_.app().scene().lines.size();
+  stage_.app().session().playback.set_position(10);
+  for (const char* command : {"view.com", "view.arrows.force", "view.arrows.reaction"}) stage_.app().run_command(command, nullptr);
+  stage_.settle();
+  EXPECT_EQ(stage_.app().scene().balls.size(), balls + 1);
+  EXPECT_GT(stage_.app().scene().lines.size(), lines + 5);
+  EXPECT_TRUE(stage_.shows("viewport.arrows.2"));
+  EXPECT_TRUE(stage_.shows("viewport.arrows.5"));
+}
+
+TEST(Plots, AllocateNothingWhilePlaying) {
+  AppStage stage;
+  stage.open_sample("walk");
+  for (const char* command : {"analysis.layout", "view.com", "view.arrows.velocity", "view.arrows.force"}) stage.app().run_command(command, nullptr);
+  stage.wait(10.0);
+  stage.settle();
+  stage.app().run_command("play.toggle", nullptr);
+  for (int i = 0; i < 240; ++i) stage.frame();
+  const AllocationCount count;
+  for (int i = 0; i < 240; ++i) stage.frame();
+  EXPECT_EQ(count.blocks(), 0u);
+}
+
+TEST(Plots, OfClipsWithFewFramesSayWhatIsMissing) {
+  for (const int frames : {1, 2, 3}) {
+    AppStage stage;
+    ASSERT_TRUE(stage.open_text("short.bvh", small_bvh(frames)));
+    for (const char* command : {"analysis.layout", "view.com", "view.arrows.acceleration"}) stage.app().run_command(command, nullptr);
+    for (const char* method : {"central", "butterworth:6", "savgol:7,3", "gcv"}) {
+      stage.app().run_command("analysis.method", {{"derivative", method}});
+      stage.settle();
+      EXPECT_EQ(stage.state()["frames"], frames);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace marey::app
