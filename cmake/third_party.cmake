@@ -60,6 +60,6 @@ if(EXISTS "${MAREY_IMGUI_DIR}/imgui.cpp")
     # For the first load of the page: all but the drawing of lines and shapes is small rather than quick.
     set(small_imgui ${imgui_sources})
     list(FILTER small_imgui EXCLUDE REGEX "imgui_draw\\.cpp$")
-    set_source_files_properties(${small_imgui} PROPERTIES COMPILE_OPTIONS "-Os")
+    set_source_files_properties(${small_imgui} PROPERTIES COMPILE_OPTIONS "-Oz")
   endif()
 endif()

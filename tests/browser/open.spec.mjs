@@ -1,19 +1,8 @@
 // The ways in which a file comes into the page.
 import { writeFileSync } from "node:fs";
 import { armClip, brokenClip } from "./support/clips.mjs";
+import { drop } from "./support/drop.mjs";
 import { expect, test } from "./support/fixtures.mjs";
-
-/** Drops files on the page as a file manager does. */
-async function drop(page, files, { release = true } = {}) {
-  const data = await page.evaluateHandle((list) => {
-    const transfer = new DataTransfer();
-    for (const { name, text } of list) transfer.items.add(new File([text], name));
-    return transfer;
-  }, files);
-  await page.dispatchEvent("#canvas", "dragenter", { dataTransfer: data });
-  await page.dispatchEvent("#canvas", "dragover", { dataTransfer: data });
-  if (release) await page.dispatchEvent("#canvas", "drop", { dataTransfer: data });
-}
 
 test("by drop, with a sign that it can be dropped", async ({ marey, page }) => {
   await marey.goto();

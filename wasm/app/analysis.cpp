@@ -73,6 +73,7 @@ std::vector<PlotLine> lines_of(const AnalysisTable& table, const AnalysisPlot& p
     }
     lines.push_back(std::move(line));
   }
+  std::sort(lines.begin(), lines.end(), [](const PlotLine& a, const PlotLine& b) { return a.component < b.component; });
   return lines;
 }
 

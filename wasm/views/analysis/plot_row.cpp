@@ -116,9 +116,11 @@ void PlotRow::draw_ends(ViewContext& context, const AnalysisPlot& plot) const {
     while (frame > 0 && frame > last - 64 && !std::isfinite(value_at(line, frame))) --frame;
     const double value = value_at(line, frame);
     if (line.component == 0 || !std::isfinite(value) || count == ends.size()) continue;
-    ends[count++] = {axis_.y_of(value) - 0.5f * kLetterHeight, line.component};
+    const End end{axis_.y_of(value) - 0.5f * kLetterHeight, line.component};
+    std::size_t place = count++;
+    for (; place > 0 && ends[place - 1].y > end.y; --place) ends[place] = ends[place - 1];
+    ends[place] = end;
   }
-  std::sort(ends.begin(), ends.begin() + static_cast<std::ptrdiff_t>(count), [](const End& a, const End& b) { return a.y < b.y; });
   for (std::size_t i = 0; i < count; ++i) {
     const float above = i == 0 ? area_.min.y : ends[i - 1].y + kLetterHeight;
     const float below = area_.max.y - kLetterHeight * static_cast<float>(count - i);

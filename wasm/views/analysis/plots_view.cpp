@@ -30,6 +30,18 @@ void draw_text(ViewContext& context, ImFont* font, ImVec2 at, float width, ImU32
   ImGui::PopFont();
 }
 
+// For people: "Smoothed by Butterworth, 6 Hz."
+SmallText describe_smoothing(const Derivation& derivation) {
+  switch (derivation.kind) {
+    case DerivationKind::Central: break;
+    case DerivationKind::Butterworth: return SmallText("Smoothed by Butterworth, {:g} Hz.", derivation.cutoff_hz);
+    case DerivationKind::SavitzkyGolay:
+      return SmallText("Smoothed by Savitzky-Golay, {} frames, degree {}.", derivation.window, derivation.degree);
+    case DerivationKind::Gcv: return SmallText("Smoothed by a quintic spline (GCV).");
+  }
+  return SmallText("Not smoothed.");
+}
+
 }  // namespace
 
 const Quantity* draw_quantity_list(ViewContext& context, const char* popup) {
@@ -74,7 +86,8 @@ void PlotsView::draw_toolbar(ViewContext& context, ImVec2 min, float width) {
   ImGui::SameLine(0.0f, 12.0f);
   ImGui::AlignTextToFramePadding();
   const std::vector<std::string>& notes = context.analysis.notes();
-  const SmallText text("{}{}{}", describe(context.analysis.derivation), notes.empty() ? "" : ". ", notes.empty() ? "" : notes.back());
+  const SmallText text("{}{}{}", describe_smoothing(context.analysis.derivation).view(), notes.empty() ? "" : " ",
+                       notes.empty() ? std::string_view() : std::string_view(notes.back()));
   ui::elided_text(context, text, ImGui::GetContentRegionAvail().x - 8.0f, context.theme.dim_text);
   context.items.add_last("plots.method", text);
   ImGui::EndChild();
@@ -107,29 +120,37 @@ void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int
 
 void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) {
   const float width = max.x - min.x - kLabelInset;
-  const float buttons = 2.0f * ImGui::GetFrameHeight();
+  const float button = ImGui::GetFrameHeight();
   const ImVec2 at{min.x + kLabelInset, min.y + 6.0f};
   const Theme& theme = context.theme;
-  draw_text(context, context.fonts.semibold, at, width - buttons, theme.text, plot.choice.quantity->label);
-  draw_buttons(context, plot, index, {max.x, min.y + 2.0f});
+  draw_text(context, context.fonts.semibold, at, width, theme.text, plot.choice.quantity->label);
+  const float line = std::round(at.y + 18.0f);
   const SmallText owner("{}{}", plot.owner, plot.missing ? " is not in this figure" : "");
-  draw_text(context, context.fonts.text, {at.x, at.y + 18.0f}, width - 48.0f, plot.missing ? theme.warning : theme.dim_text, owner);
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float unit_width = ImGui::CalcTextSize(plot.unit.data(), plot.unit.data() + plot.unit.size()).x;
-  list.AddText({max.x - unit_width - 4.0f, at.y + 18.0f}, theme.dim_text, plot.unit.data(), plot.unit.data() + plot.unit.size());
+  const SmallText unit("  {}", plot.unit);
+  const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
+  const float owner_width = width - 2.0f * button - unit_width;
+  draw_text(context, context.fonts.text, {at.x, line}, owner_width, plot.missing ? theme.warning : theme.dim_text, owner);
+  const float shown_width = std::min(ImGui::CalcTextSize(owner.c_str()).x, owner_width);
+  ImGui::GetWindowDrawList()->AddText({at.x + shown_width, line}, theme.dim_text, unit.c_str());
+  draw_buttons(context, plot, index, {max.x, std::round(line + 9.0f - 0.5f * button)});
+  draw_values(context, plot, index, {at.x, line + 20.0f}, max);
+}
+
+// One below the other where there is room, else side by side.
+void PlotsView::draw_values(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at, ImVec2 max) const {
+  constexpr float kLine = 15.0f;
   const FrameIndex frame = context.session.playback.frame();
-  float y = at.y + 36.0f;
-  const bool in_one_row = max.y - y < 3.0f * 15.0f;
-  float x = at.x;
+  const bool in_one_row = max.y - at.y < 3.0f * kLine;
+  const ImVec2 step = in_one_row ? ImVec2((max.x - at.x) / 3.0f, 0.0f) : ImVec2(0.0f, kLine);
   for (const PlotLine& line : plot.lines) {
-    if (y + 12.0f > max.y) return;
+    if (at.y + 12.0f > max.y) return;
     const double value = frame < size_of(line.values) ? line.values[idx(frame)] : std::nan("");
-    const char letter[] = {line.component == 0 ? ' ' : static_cast<char>(line.component - 'x' + 'X'), '\0'};
-    const SmallText text("{} {}", letter, value_text(value));
-    list.AddText(context.fonts.mono, Fonts::kSmallSize, {std::round(x), std::round(y)}, component_color(theme, line.component), text.c_str());
-    context.items.add(SmallText("plots.value.{}.{}", index, line.component == 0 ? "n" : letter), value_text(value), {x, y}, {x + 50.0f, y + 12.0f});
-    if (in_one_row) x += width / 3.0f;
-    else y += 15.0f;
+    const char letter[] = {static_cast<char>(line.component == 0 ? 'n' : line.component - 'x' + 'X'), '\0'};
+    const SmallText text("{} {}", line.component == 0 ? "" : letter, value_text(value).view());
+    ImGui::GetWindowDrawList()->AddText(context.fonts.mono, Fonts::kSmallSize, {std::round(at.x), std::round(at.y)},
+                                        component_color(context.theme, line.component), text.c_str());
+    context.items.add(SmallText("plots.value.{}.{}", index, letter), value_text(value), at, {at.x + 50.0f, at.y + 12.0f});
+    at = {at.x + step.x, at.y + step.y};
   }
 }
 
