@@ -2,20 +2,20 @@
 // native benchmarks, whose own table follows; `npm run bench -- growth` measures files from 1 to 500 MB and figures of 10 to 1000
 // joints instead, and draws docs/images/growth-*.svg.
 import { cpus } from "node:os";
-import { benchClip } from "./bench/clip.mjs";
+import { benchClip, bodyClip } from "./bench/clip.mjs";
 import { growthTable, measureGrowth, peakMemory } from "./bench/growth.mjs";
 import { measureFirstLoad } from "./bench/first_load.mjs";
 import { compareInChromium } from "./bench/in_chromium.mjs";
 import { measurePage } from "./bench/in_page.mjs";
 import { measureNatively } from "./bench/native.mjs";
-import { goalRows, pageRows, printTable } from "./bench/table.mjs";
+import { goalRows, mechanicsRows, pageRows, printTable } from "./bench/table.mjs";
 import { buildPreset, configurePreset } from "./build/cmake.mjs";
 import { buildSite } from "./build/site.mjs";
 import { Failure, capture, inRoot, main, say } from "./lib/shell.mjs";
 import { setUpBench } from "./setup/index.mjs";
 
 function compareInNode(clip) {
-  const { ok, stdout, stderr } = capture("node", [inRoot("scripts/bench/in_node.mjs"), clip]);
+  const { ok, stdout, stderr } = capture("node", [inRoot("scripts/bench/in_node.mjs"), clip, bodyClip()]);
   if (!ok) throw new Failure(`the comparison under Node failed: ${stderr.trim().split("\n").at(-1)}`);
   return JSON.parse(stdout);
 }
@@ -37,6 +37,8 @@ await main(async () => {
   const { frames, joints, bytes } = node.facts;
   say(`the clip: ${joints} joints, ${frames} frames, ${(bytes / 1e6).toFixed(1)} MB; Chromium ${chromium.version}, Node ${process.version}`);
   printTable(["what", "Marey", "peer", "times as fast", "goal"], goalRows({ native, node, chromium }));
+  say("mechanics: samples to the torques of all joints, 20 joints, 10,000 frames");
+  printTable(["what", "median", "goal"], mechanicsRows({ native, node }));
   say(peakMemory(clip));
   const page = { load: await measureFirstLoad(), frames: await measurePage() };
   say("the page in Chromium, processor time of a frame");

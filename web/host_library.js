@@ -105,6 +105,12 @@ mergeInto(LibraryManager.library, {
     HEAPU8.set(mareyAsk((host) => host.drawLetter(codePoint, em, weight, { side, penX, penY })), coverage);
   },
 
+  marey_host_decode_letters__deps: ["$mareyAsk"],
+  marey_host_decode_letters: function (set, codes, byteCount, letters) {
+    const found = mareyAsk((host) => host.decodeLetters(set === 0 ? "gbk" : "shift_jis", HEAPU8.slice(codes, codes + byteCount)));
+    HEAPU8.set(new Uint8Array(found.buffer), letters);
+  },
+
   marey_host_set_text_input__deps: ["$mareyAsk"],
   marey_host_set_text_input: function (wanted, cssX, cssY, cssHeight) {
     mareyAsk((host) => host.setTextInput(wanted !== 0, cssX, cssY, cssHeight));

@@ -53,3 +53,6 @@ export function benchClip({ joints = 60, frames = 20_000 } = {}) {
   renameSync(`${path}.part`, path);
   return path;
 }
+
+/** A figure of the size of a body, for mechanics. */
+export const bodyClip = () => benchClip({ joints: 20, frames: 10_000 });

@@ -61,3 +61,13 @@ export function compareWithThree(marey, bytes, rounds = 5) {
   clip.dispose();
   return { facts, results };
 }
+
+/** Milliseconds from samples to the torques of all joints. */
+export function measureTorques(marey, bytes, rounds = 5) {
+  const clip = marey.parse(bytes);
+  const { torques } = measure({
+    torques: () => clip.analyse({ quantities: ["torque:*"], body: "rods", mass: 70, support: "flight" }),
+  }, rounds);
+  clip.dispose();
+  return torques;
+}

@@ -1,5 +1,6 @@
 // The benchmarks of tests/bench: medians of repetitions in shuffled order.
 import { Failure, capture, inRoot } from "../lib/shell.mjs";
+import { bodyClip } from "./clip.mjs";
 
 const repetitions = ["--benchmark_repetitions=5", "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=0.3",
   "--benchmark_report_aggregates_only=true", "--benchmark_format=json"];
@@ -14,7 +15,7 @@ const perSecond = (rate, unit) => {
 /** { times: median milliseconds of processor time by benchmark, rows: the same as a table }. */
 export function measureNatively(clip, args = []) {
   const program = inRoot("build", "native", "tests", "marey_bench");
-  const { ok, stdout, stderr } = capture("env", [`MAREY_BENCH_CLIP=${clip}`, program, ...repetitions, ...args]);
+  const { ok, stdout, stderr } = capture("env", [`MAREY_BENCH_CLIP=${clip}`, `MAREY_BENCH_BODY=${bodyClip()}`, program, ...repetitions, ...args]);
   if (!ok) throw new Failure(`marey_bench failed: ${stderr.trim().split("\n").at(-1)}`);
   const medians = JSON.parse(stdout).benchmarks.filter(({ aggregate_name: name }) => name === "median");
   return {

@@ -27,13 +27,22 @@ export function goalRows({ native: { times }, node, chromium }) {
 
 const milliseconds = (ms) => `${ms.toFixed(ms < 100 ? 1 : 0)} ms`;
 
+const timeGoal = (ms, most) => `${most} ms ${ms <= most ? "reached" : "missed"}`;
+
+/** [what, median, goal] of inverse dynamics. */
+export function mechanicsRows({ native: { times }, node }) {
+  return [
+    ["torques, native", milliseconds(times["mechanics/torques"]), timeGoal(times["mechanics/torques"], 150)],
+    ["torques, in Node", milliseconds(node.torques), timeGoal(node.torques, 300)],
+  ];
+}
+
 /** [what, median, goal] of the page: `frames` as measurePage() gives them, `load` as measureFirstLoad() does. */
 export function pageRows({ frames, load }) {
-  const goal = (ms, most) => `${most} ms ${ms <= most ? "reached" : "missed"}`;
   return [
     ["first frame after the address", milliseconds(load.firstFrame), ""],
     ["a sample is open after the address", milliseconds(load.sample), ""],
-    ["100,000 frames x 201 channels: redraw of all curves", milliseconds(frames.curves), goal(frames.curves, 4)],
+    ["100,000 frames x 201 channels: redraw of all curves", milliseconds(frames.curves), timeGoal(frames.curves, 4)],
     ["a frame of the page without curves", milliseconds(frames.without), ""],
     ["a frame with all curves", milliseconds(frames.redraw), ""],
     ["the same, zooming in time", milliseconds(frames.zoom), ""],

@@ -15,16 +15,16 @@ namespace {
   std::exit(1);
 }
 
-std::string read_clip_text() {
-  const char* path = std::getenv("MAREY_BENCH_CLIP");
-  if (path == nullptr) give_up("MAREY_BENCH_CLIP does not name the clip; npm run bench makes it and sets this.");
+std::string read_clip_text(const char* variable) {
+  const char* path = std::getenv(variable);
+  if (path == nullptr) give_up(std::string(variable) + " does not name the clip; npm run bench makes it and sets this.");
   std::ostringstream bytes;
   bytes << std::ifstream(path, std::ios::binary).rdbuf();
   return std::move(bytes).str();
 }
 
-BvhClip read_clip() {
-  Result<BvhClip> clip = read_bvh(clip_text());
+BvhClip read_clip(const std::string& text) {
+  Result<BvhClip> clip = read_bvh(text);
   if (!clip) give_up("The clip cannot be read: " + clip.error().message);
   return std::move(clip.value());
 }
@@ -32,13 +32,15 @@ BvhClip read_clip() {
 }  // namespace
 
 const std::string& clip_text() {
-  static const std::string text = read_clip_text();
+  static const std::string text = read_clip_text("MAREY_BENCH_CLIP");
   return text;
 }
 
 const BvhClip& clip() {
-  static const BvhClip clip = read_clip();
+  static const BvhClip clip = read_clip(clip_text());
   return clip;
 }
+
+BvhClip body_clip() { return read_clip(read_clip_text("MAREY_BENCH_BODY")); }
 
 }  // namespace marey::bench

@@ -13,4 +13,7 @@ namespace marey::bench {
 /// The same, read.
 [[nodiscard]] const BvhClip& clip();
 
+/// The clip of MAREY_BENCH_BODY: a figure of 20 joints, 10,000 frames.
+[[nodiscard]] BvhClip body_clip();
+
 }  // namespace marey::bench

@@ -54,3 +54,37 @@ test("the page as one file asks nobody for letters", async ({ marey, page }) => 
   await marey.drawn(6);
   await marey.expectState(({ joints }) => joints.map(({ name }) => name), ["右肩", "팔꿈치"]);
 });
+
+/** A figure whose joints have the letters of a lead byte each as their names, in the bytes of a double-byte set. */
+function lettersClip(set) {
+  const decoder = new TextDecoder(set);
+  const names = [];
+  const parts = ["HIERARCHY\nROOT Root\n{\nOFFSET 0 0 0\nCHANNELS 1 Zrotation\n"];
+  for (let lead = 0x81; lead <= 0xfe; lead++) {
+    const bytes = [];
+    let letters = "";
+    for (let trail = 0x40; trail <= 0xfe; trail++) {
+      const letter = decoder.decode(Uint8Array.of(lead, trail));
+      const isLetter = [...letter].length === 1 && !/[\ufffd\ue000-\uf8ff]/.test(letter) && letter.charCodeAt(0) > 0x7f;
+      if (!isLetter || trail === 0x7b || trail === 0x7d) continue; // braces end names, mostly
+      bytes.push(lead, trail);
+      letters += letter;
+    }
+    if (bytes.length === 0) continue;
+    names.push(letters);
+    parts.push("JOINT ", Buffer.from(bytes), "\n{\nOFFSET 0 1 0\nCHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n");
+  }
+  parts.push(`}\nMOTION\nFrames: 1\nFrame Time: 0.1\n${"0 ".repeat(names.length + 1)}\n`);
+  return { names, bytes: Buffer.concat(parts.map((part) => Buffer.from(part))) };
+}
+
+for (const set of ["gbk", "shift_jis"]) {
+  test(`all letters of ${set} are those of the standard`, async ({ marey, page }) => {
+    const { names, bytes } = lettersClip(set);
+    expect(names.join("").length).toBeGreaterThan(set === "gbk" ? 21_000 : 7000);
+    await marey.goto();
+    await page.evaluate((list) => window.marey.open("letters.bvh", Uint8Array.from(list)), [...bytes]);
+    await marey.command(`clip.names_in.${set}`);
+    expect((await marey.state()).joints.slice(1).map(({ name }) => name)).toEqual(names);
+  });
+}

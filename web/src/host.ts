@@ -23,6 +23,8 @@ export interface Host {
   measureLetter(codePoint: number, em: number, weight: number): number;
   /** Its coverage from 0 to 255, row by row. */
   drawLetter(codePoint: number, em: number, weight: number, cell: LetterCell): Uint8Array;
+  /** The letters of two-byte codes, lead and trail in turn; 0 where a code has none. */
+  decodeLetters(set: "gbk" | "shift_jis", codes: Uint8Array): Uint16Array;
   /** Whether a text field has the keyboard, and where its caret is, in CSS pixels. */
   setTextInput(wanted: boolean, x: number, y: number, height: number): void;
 }

@@ -1,4 +1,5 @@
 import { copyText } from "./clipboard";
+import { decodeLetters } from "./double_byte";
 import { download } from "./files";
 import { showNotice } from "./notice";
 import { paintPicture } from "./picture";
@@ -118,6 +119,10 @@ export class PageHost implements Host {
 
   drawLetter(codePoint: number, em: number, weight: number, cell: LetterCell): Uint8Array {
     return this.letters.draw(codePoint, em, weight, cell);
+  }
+
+  decodeLetters(set: "gbk" | "shift_jis", codes: Uint8Array): Uint16Array {
+    return decodeLetters(set, codes);
   }
 
   setTextInput(wanted: boolean, x: number, y: number, height: number): void {

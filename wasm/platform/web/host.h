@@ -2,6 +2,9 @@
 
 #include <cstddef>
 
+/// A double-byte character set of marey_host_decode_letters().
+enum class MareyLetters : int { Gbk = 0, ShiftJis = 1 };
+
 /// What the page's JavaScript does for the program; web/host_library.js forwards each to `Module.host`
 /// (web/src/host.ts). Text is UTF-8, given by its address and its size in bytes, and is only valid during the call.
 /// What the JavaScript throws comes back as a std::runtime_error with its words.
@@ -30,6 +33,8 @@ double marey_host_measure_letter(unsigned code_point, double em, int weight);
 /// loaded leaves it empty; marey_forget_letters tells when it has come.
 void marey_host_draw_letter(unsigned code_point, double em, int weight, int side, int pen_x, int pen_y,
                             unsigned char* coverage);
+/// The letters of two-byte codes, `byte_count` / 2 of them, by a set of MareyLetters; 0 where a code has none.
+void marey_host_decode_letters(int set, const unsigned char* codes, size_t byte_count, char16_t* letters);
 /// A text field has (1) or has lost (0) the keyboard; its caret stands at x, y with a line of `height`, in CSS pixels.
 void marey_host_set_text_input(int wanted, float css_x, float css_y, float css_height);
 }
