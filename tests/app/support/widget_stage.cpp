@@ -20,7 +20,7 @@ void WidgetStage::frame(int count) {
     apply_theme(theme_, false);
     ImGui::NewFrame();
     items_.begin_frame();
-    ViewContext context{.session = session_, .clip_serial = 0, .commands = commands_, .options = options_,
+    ViewContext context{.session = session_, .clip_serial = 0, .commands = commands_, .analysis = analysis_, .options = options_,
                         .time_window = time_window_, .theme = theme_, .fonts = fonts_, .items = items_, .hover = hover_,
                         .next_hover = next_hover_, .status = status_, .refusal = refusal_, .now_s = 0.0, .redraw = redraw_,
                         .widgets = widgets_, .system = system_};

@@ -33,6 +33,7 @@ class WidgetStage {
   ImGuiStage imgui_;
   Session session_;
   CommandRegistry commands_;
+  Analysis analysis_;
   ViewOptions options_;
   TimeWindow time_window_;
   Theme theme_;
