@@ -65,6 +65,9 @@ test("smoothing and masses are chosen, and the plots follow", async ({ marey, pa
   const smoothed = (await marey.state()).analysis.plots[3].values;
   expect(smoothed.z).not.toBeCloseTo(before.z, 3);
   await marey.picture("body");
+  const { x, y } = await marey.point("body.derivation");
+  await page.mouse.move(x, y);
+  await page.mouse.wheel(0, 400);
   await marey.click("body.mass", { clickCount: 2 });
   await marey.press("Control+a");
   await page.keyboard.type("140");

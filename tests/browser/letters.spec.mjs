@@ -71,8 +71,8 @@ function lettersClip(set) {
       letters += letter;
     }
     if (bytes.length === 0) continue;
-    names.push(letters);
-    parts.push("JOINT ", Buffer.from(bytes), "\n{\nOFFSET 0 1 0\nCHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n");
+    names.push(`n${letters}`); // a name does not begin with the byte A0, which is a blank elsewhere
+    parts.push("JOINT n", Buffer.from(bytes), "\n{\nOFFSET 0 1 0\nCHANNELS 1 Zrotation\nEnd Site\n{\nOFFSET 0 1 0\n}\n}\n");
   }
   parts.push(`}\nMOTION\nFrames: 1\nFrame Time: 0.1\n${"0 ".repeat(names.length + 1)}\n`);
   return { names, bytes: Buffer.concat(parts.map((part) => Buffer.from(part))) };

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/biomechanics/analysis.h"
-#include "core/editing/curve_operations.h"
+#include "core/biomechanics/chosen_body.h"
 #include "tests/app/support/allocation_count.h"
 #include "tests/app/support/app_stage.h"
 

@@ -17,7 +17,7 @@ namespace {
 using Options = std::span<const ui::ChoiceOption>;
 
 Options table_options() {
-  static const std::vector<ui::ChoiceOption> kOptions = {{"body.table.auto", "By the names of the joints"},
+  static const std::vector<ui::ChoiceOption> kOptions = {{"body.table.auto", "By joint names"},
                                                          {"body.table.male", "de Leva 1996, male"},
                                                          {"body.table.female", "de Leva 1996, female"},
                                                          {"body.table.rods", "Uniform rods"}};
@@ -25,7 +25,7 @@ Options table_options() {
 }
 
 Options support_options() {
-  static const std::vector<ui::ChoiceOption> kOptions = {{"body.support.pivot", "A bar or pivot at the root"},
+  static const std::vector<ui::ChoiceOption> kOptions = {{"body.support.pivot", "A bar at the root"},
                                                          {"body.support.flight", "Nothing: in flight"},
                                                          {"body.support.ground", "The ground"},
                                                          {"body.support.auto", "As the motion tells"}};

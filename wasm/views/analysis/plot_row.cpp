@@ -17,6 +17,7 @@ constexpr float kOtherAlpha = 0.6f;
 constexpr double kDenseSamplesPerColumn = 2.0;
 constexpr double kWheelZoom = 1.15;
 constexpr float kLetterHeight = 13.0f;
+constexpr float kValueRoom = 20.0f;
 
 double value_at(const PlotLine& line, FrameIndex frame) {
   return frame >= 0 && frame < size_of(line.values) ? line.values[idx(frame)] : std::nan("");
@@ -53,7 +54,7 @@ void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const 
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(area_.min, area_.max, with_alpha(context.theme.app, 0.45f));
   draw_frame_grid(list, area_, context.time_window, context.theme);
-  draw_value_grid(list, area_, axis_, context.theme);
+  draw_value_grid(list, area_, axis_, context.theme, kValueRoom);
   if (plot.choice.quantity->level == DerivativeLevel::Pose || plot.lines.empty()) return;
   const Motion& motion = context.session.document.motion();
   const int reach = uncertain_end_frames(context.analysis.derivation, 1.0 / motion.frame_time_s());
@@ -181,7 +182,7 @@ void PlotRow::draw(ViewContext& context, const AnalysisPlot& plot, std::uint64_t
   draw_cursor(context, plot);
   list.PopClipRect();
   draw_ends(context, plot);
-  draw_value_labels(list, area_, axis_, AxisSide::Left, plot.unit == "°" ? plot.unit : "", context.theme, context.fonts);
+  draw_value_labels(list, area_, axis_, AxisSide::Left, plot.unit == "°" ? plot.unit : "", context.theme, context.fonts, kValueRoom);
   handle_input(context, plot, index);
 }
 

@@ -42,6 +42,20 @@ SmallText describe_smoothing(const Derivation& derivation) {
   return SmallText("Not smoothed.");
 }
 
+// A component belongs to that of the same direction; one without direction to the one that changes most.
+const PlotLine& partner_of(const PlotLine& line, const AnalysisPlot& first) {
+  const PlotLine* widest = &first.lines.front();
+  double most = -1.0;
+  for (const PlotLine& along : first.lines) {
+    if (along.component == line.component) return along;
+    ValueRange range;
+    range.add(along.values);
+    if (!range.empty && range.high - range.low > most) widest = &along;
+    if (!range.empty) most = std::max(most, range.high - range.low);
+  }
+  return *widest;
+}
+
 }  // namespace
 
 const Quantity* draw_quantity_list(ViewContext& context, const char* popup) {
@@ -177,7 +191,6 @@ void PlotsView::draw_rows(ViewContext& context, ImVec2 min, ImVec2 max) {
   ImGui::EndChild();
 }
 
-// Components are joined with those of the same direction; all of them with the first's only one.
 void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const {
   const std::span<const AnalysisPlot> plots = context.analysis.plots();
   if (plots.size() < 2 || plots[0].lines.empty()) {
@@ -185,28 +198,24 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
     ui::dim_text(context, "Add a second plot to see it against the first.");
     return;
   }
-  const AnalysisPlot& first = plots[0];
   ValueRange range;
-  for (const PlotLine& line : first.lines) range.add(line.values);
+  for (const PlotLine& line : plots[0].lines) range.add(line.values);
+  const double margin = 0.04 * std::max(range.high - range.low, 1e-9);
   const FrameIndex frame = context.session.playback.frame();
-  const SmallText x_unit("{} {}", first.choice.quantity->label, first.unit);
+  const SmallText x_unit("{} {}", plots[0].choice.quantity->label, plots[0].unit);
   for (int i = 1; i < size_of(plots); ++i) {
-    const AnalysisPlot& plot = plots[idx(i)];
     std::vector<PlotCurve> curves;
-    std::vector<PlotMark> marks;
-    for (const PlotLine& line : plot.lines) {
-      const auto x = std::find_if(first.lines.begin(), first.lines.end(), [&](const PlotLine& l) { return l.component == line.component; });
-      const PlotLine& along = x == first.lines.end() ? first.lines.front() : *x;
+    std::vector<PlotDot> dots;
+    for (const PlotLine& line : plots[idx(i)].lines) {
+      const PlotLine& along = partner_of(line, plots[0]);
       const ImU32 color = component_color(context.theme, line.component);
       curves.push_back({along.values, line.values, color, 1.5f});
-      const char letter[] = {line.component == 0 ? '\0' : static_cast<char>(line.component - 'x' + 'X'), '\0'};
-      marks.push_back({along.values[idx(frame)], with_alpha(color, 0.7f), letter[0] == '\0' ? "" : letter[0] == 'X' ? "X" : letter[0] == 'Y' ? "Y" : "Z"});
+      dots.push_back({along.values[idx(frame)], line.values[idx(frame)], color});
     }
     const ImVec4 place = plot_place(i - 1, size_of(plots) - 1, {min.x + 4.0f, min.y}, max, kLeastPlotWidth);
-    const double margin = 0.04 * std::max(range.high - range.low, 1e-9);
-    const std::string title = plot.title();
+    const std::string title = plots[idx(i)].title();
     draw_small_plot(context, SmallText("plots.against.{}", i).c_str(), {place.x, place.y}, {place.z, place.w},
-                    {title, x_unit, "", range.low - margin, range.high + margin, curves, marks, {}, false});
+                    {title, x_unit, "", range.low - margin, range.high + margin, curves, {}, {}, false, dots});
   }
 }
 

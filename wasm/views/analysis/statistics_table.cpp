@@ -8,6 +8,7 @@ namespace marey::app {
 namespace {
 
 constexpr std::array kColumns = {"Quantity", "Of", "Unit", "Lowest", "at", "Highest", "at", "Mean", "RMS"};
+constexpr int kFirstNumber = 3;
 constexpr float kPadding = 12.0f;
 
 void draw_number(ViewContext& context, const SmallText& text) {
@@ -17,6 +18,16 @@ void draw_number(ViewContext& context, const SmallText& text) {
   if (room > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopFont();
+}
+
+void draw_header(ViewContext& context) {
+  ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+  for (int i = 0; i < size_of(kColumns); ++i) {
+    ImGui::TableSetColumnIndex(i);
+    const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(kColumns[idx(i)]).x;
+    if (i >= kFirstNumber && room > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
+    ui::dim_text(context, kColumns[idx(i)]);
+  }
 }
 
 void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, int row) {
@@ -56,7 +67,7 @@ void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
     const SmallText id("{}##{}", kColumns[i], i);
     ImGui::TableSetupColumn(id.c_str(), ImGuiTableColumnFlags_None, i == 0 ? 2.2f : i == 1 ? 1.6f : 1.0f);
   }
-  ImGui::TableHeadersRow();
+  draw_header(context);
   int row = 0;
   for (const AnalysisPlot& plot : context.analysis.plots()) {
     for (const PlotLine& line : plot.lines) draw_line(context, plot, line, row++);

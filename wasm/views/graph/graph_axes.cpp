@@ -9,12 +9,11 @@
 namespace marey::app {
 namespace {
 
-constexpr float kValueSpacing = 36.0f;
 constexpr float kFrameSpacing = 72.0f;
 constexpr float kLabelGap = 6.0f;
 
-Ticks value_ticks(const ValueAxis& axis) {
-  return make_ticks(axis.low, axis.high, axis.values_per_unit() * static_cast<double>(kValueSpacing));
+Ticks value_ticks(const ValueAxis& axis, float spacing) {
+  return make_ticks(axis.low, axis.high, axis.values_per_unit() * static_cast<double>(spacing));
 }
 
 }  // namespace
@@ -25,8 +24,8 @@ Ticks frame_ticks(const TimeWindow& time) {
   return make_ticks(time.first + 1.0, time.last + 1.0, least_step, true);
 }
 
-void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme) {
-  const Ticks ticks = value_ticks(axis);
+void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme, float spacing) {
+  const Ticks ticks = value_ticks(axis, spacing);
   for (int i = 0; i < ticks.count; ++i) {
     const double value = ticks.at(i);
     const bool zero = std::abs(value) < 0.5 * ticks.step;
@@ -36,8 +35,8 @@ void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& a
 }
 
 void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, AxisSide side,
-                       std::string_view unit, const Theme& theme, const Fonts& fonts) {
-  const Ticks ticks = value_ticks(axis);
+                       std::string_view unit, const Theme& theme, const Fonts& fonts, float spacing) {
+  const Ticks ticks = value_ticks(axis, spacing);
   const float size = Fonts::kSmallSize;
   const auto place = [&](const SmallText& text, float y) {
     const float width = fonts.mono->CalcTextSizeA(size, FLT_MAX, 0.0f, text.c_str()).x;

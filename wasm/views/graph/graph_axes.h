@@ -24,12 +24,17 @@ struct GraphArea {
 
 enum class AxisSide { Left, Right };
 
+/// Least distance of the numbers of a value axis, in ImGui units.
+inline constexpr float kValueSpacing = 36.0f;
+
 /// Grid lines of a value axis across the area; zero stands out.
-void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme);
+void draw_value_grid(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, const Theme& theme,
+                     float spacing = kValueSpacing);
 
 /// Numbers of a value axis in its gutter with the unit at the top; without one where it stands elsewhere.
 void draw_value_labels(ImDrawList& list, const GraphArea& area, const ValueAxis& axis, AxisSide side,
-                       std::string_view unit, const Theme& theme, const Fonts& fonts);
+                       std::string_view unit, const Theme& theme, const Fonts& fonts,
+                       float spacing = kValueSpacing);
 
 /// Vertical lines at round frames, in step with the ruler.
 void draw_frame_grid(ImDrawList& list, const GraphArea& area, const TimeWindow& time, const Theme& theme);

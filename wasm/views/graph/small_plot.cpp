@@ -142,6 +142,11 @@ void draw_small_plot(ViewContext& context, const char* id, ImVec2 min, ImVec2 ma
   for (const PlotCurve& curve : plot.curves) draw_curve(curve, area);
   float row = 0.0f;
   for (const PlotMark& mark : plot.marks) draw_mark(context, mark, area, row++);
+  for (const PlotDot& dot : plot.dots) {
+    if (!std::isfinite(dot.x) || !std::isfinite(dot.y)) continue;
+    list.AddCircleFilled({area.x_of(dot.x), area.axis.y_of(dot.y)}, 4.5f, dot.color, 16);
+    list.AddCircle({area.x_of(dot.x), area.axis.y_of(dot.y)}, 4.5f, context.theme.panel, 16, 1.5f);
+  }
   list.PopClipRect();
 }
 

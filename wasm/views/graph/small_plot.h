@@ -24,6 +24,13 @@ struct PlotMark {
   std::string_view name;
 };
 
+/// A place on a curve.
+struct PlotDot {
+  double x = 0.0;
+  double y = 0.0;
+  ImU32 color = 0;
+};
+
 /// A stretch of x that is shaded.
 struct PlotStretch {
   double from = 0.0;
@@ -41,6 +48,7 @@ struct SmallPlot {
   std::span<const PlotMark> marks;
   std::span<const PlotStretch> stretches;
   bool from_zero = false;  ///< the value axis starts at 0
+  std::span<const PlotDot> dots{};
 };
 
 /// Draws a plot with title, axes and units into a rectangle; curves with more points than pixels by their extents.
