@@ -98,7 +98,7 @@ TEST(Menus, BlockedEntriesDoNothing) {
 TEST(Menus, EveryMenuFitsIntoTheWindow) {
   AppStage stage;
   stage.open_sample("walk");
-  for (const char* menu : {"menu.File", "menu.Edit", "menu.Clip", "menu.View", "menu.Help"}) {
+  for (const char* menu : {"menu.File", "menu.Edit", "menu.Clip", "menu.View", "menu.Analyse", "menu.Help"}) {
     stage.click(menu);
     for (const UiItem& item : stage.app().items().list()) {
       EXPECT_GE(item.min.x, 0.0f) << item.id;

@@ -13,7 +13,9 @@ namespace marey::app {
 namespace {
 
 constexpr float kBottomMargin = 8.0f;
-constexpr float kPagesWidth = 138.0f;
+constexpr std::array kPages = {"view.curve_editor", "view.filter_explorer", "view.rotation_orders", "view.plots"};
+
+float pages_width() { return (ImGui::GetFrameHeight() + 2.0f) * static_cast<float>(kPages.size()) + 18.0f; }
 
 void draw_joint_choice(ViewContext& context) {
   Selection& selection = context.session.selection;
@@ -76,7 +78,6 @@ void CurvesView::draw_empty(ViewContext& context) const {
 
 // At the right end of the row above the curves, on each page at the same place.
 void CurvesView::draw_pages(ViewContext& context, ImVec2 corner, ImVec2 room) const {
-  constexpr std::array kPages = {"view.curve_editor", "view.filter_explorer", "view.rotation_orders", "view.plots"};
   const float button = ImGui::GetFrameHeight();
   ImGui::SetCursorScreenPos({corner.x + room.x - (button + 2.0f) * static_cast<float>(kPages.size()) - 8.0f, corner.y + 4.0f});
   for (const char* id : kPages) {
@@ -97,7 +98,7 @@ void CurvesView::draw(ViewContext& context, const OperationForm& form) {
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const ImVec2 end{corner.x + room.x, corner.y + room.y};
-  if (page == CurvesPage::Plots) plots_.draw(context, corner, end, kPagesWidth);
+  if (page == CurvesPage::Plots) plots_.draw(context, corner, end, pages_width());
   if (page == CurvesPage::Orders) orders_.draw(context, corner, end);
   if (page == CurvesPage::Filter && !state_.shown.empty()) explorer_.draw(context, form, state_.shown, corner, end);
   if (page == CurvesPage::Curves) draw_curves(context);
@@ -114,7 +115,7 @@ void CurvesView::draw_curves(ViewContext& context) {
     ImGui::EndChild();
   }
   ImGui::SetCursorScreenPos({corner.x + list_width + 8.0f, corner.y + 4.0f});
-  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f - kPagesWidth, CurvesToolbar::height()}, ImGuiChildFlags_None,
+  ImGui::BeginChild("curves.toolbar", {room.x - list_width - 8.0f - pages_width(), CurvesToolbar::height()}, ImGuiChildFlags_None,
                     ImGuiWindowFlags_NoScrollbar);
   toolbar_.draw(context, state_);
   ImGui::EndChild();

@@ -35,7 +35,7 @@ constexpr std::string_view kHelp[] = {"help.shortcuts", "help.commands", "help.a
 
 constexpr std::string_view kCompact[] = {
     "file.open", "file.save_as", "file.samples", "", "view.frame_all", "view.orthographic", "view.follow_root", "view.grid", "view.strobe",
-    "view.trails", "view.names", "", "analysis.layout", "analysis.body", "view.com", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
+    "view.trails", "view.names", "analysis.layout", "", "play.loop", "play.slower", "play.faster", "", "view.theme.light", "view.theme.dark",
     "view.performance", "help.about"};
 
 constexpr MainMenu kMenus[] = {MainMenu{"File", kFile}, MainMenu{"Edit", kEdit}, MainMenu{"Clip", kClip},

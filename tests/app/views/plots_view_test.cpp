@@ -136,6 +136,7 @@ TEST_F(PlotsViewTest, WritesTableAndDrawing) {
 }
 
 TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {
+  stage_.app().run_command("view.curves", {{"on", false}});
   stage_.app().run_command("analysis.body", nullptr);
   stage_.settle();
   ASSERT_TRUE(stage_.shows("body.mass"));

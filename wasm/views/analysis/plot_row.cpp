@@ -18,6 +18,8 @@ constexpr double kDenseSamplesPerColumn = 2.0;
 constexpr double kWheelZoom = 1.15;
 constexpr float kLetterHeight = 13.0f;
 constexpr float kValueRoom = 20.0f;
+constexpr double kLeastHeight = 1e-3;  // of any unit: less is rounding
+constexpr double kRounding = 5e-10;
 
 double value_at(const PlotLine& line, FrameIndex frame) {
   return frame >= 0 && frame < size_of(line.values) ? line.values[idx(frame)] : std::nan("");
@@ -31,7 +33,7 @@ ImU32 component_color(const Theme& theme, char component) {
 
 SmallText value_text(double value) {
   if (!std::isfinite(value)) return SmallText("–");
-  const double size = std::abs(value);
+  const double size = std::abs(value) < kRounding ? 0.0 : std::abs(value);
   if (size >= 1e6 || (size > 0.0 && size < 1e-3)) return SmallText("{:.2e}", value);
   return SmallText("{}", tick_label(value, size >= 100.0 ? 1 : size >= 1.0 ? 2 : 3));
 }
@@ -172,7 +174,7 @@ void PlotRow::draw(ViewContext& context, const AnalysisPlot& plot, std::uint64_t
   area_ = {{context.time_window.left, min.y + kInset}, {context.time_window.right, max.y - kInset}};
   if (area_.max.y - area_.min.y < 12.0f || area_.max.x - area_.min.x < 12.0f) return;
   axis_ = {};
-  if (!range_.empty) axis_.fit(range_.low, range_.high, 1e-9 + 1e-6 * std::max(std::abs(range_.low), std::abs(range_.high)));
+  if (!range_.empty) axis_.fit(range_.low, range_.high, std::max(kLeastHeight, 1e-6 * std::max(std::abs(range_.low), std::abs(range_.high))));
   axis_.top = area_.min.y;
   axis_.bottom = area_.max.y;
   draw_ground(context, plot);

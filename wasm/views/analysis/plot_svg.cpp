@@ -147,7 +147,7 @@ ValueAxis fitted_axis(const AnalysisPlot& plot, FrameRange frames) {
     for (FrameIndex frame = frames.first; frame < end; ++frame) range.add(line.values[idx(frame)]);
   }
   ValueAxis axis;
-  if (!range.empty) axis.fit(range.low, range.high, 1e-9 + 1e-6 * std::max(std::abs(range.low), std::abs(range.high)));
+  if (!range.empty) axis.fit(range.low, range.high, 1e-3 + 1e-6 * std::max(std::abs(range.low), std::abs(range.high)));
   return axis;
 }
 

@@ -90,7 +90,7 @@ void PlotsView::draw_toolbar(ViewContext& context, ImVec2 min, float width) {
   ImGui::SameLine(0.0f, 8.0f);
   int mode = static_cast<int>(context.options.plot_mode);
   if (ui::choice(context, "plots.mode", "Show", "Curves over time, curves against the first one, or statistics of the range.", mode_options(),
-                 mode, 148.0f)) {
+                 mode, context.options.compact ? 112.0f : 148.0f)) {
     context.options.plot_mode = static_cast<PlotMode>(mode);
   }
   for (const char* id : {"analysis.body", "analysis.save_csv", "analysis.save_svg", "analysis.save_png"}) {
@@ -150,6 +150,23 @@ void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int i
   draw_values(context, plot, index, {at.x, line + 20.0f}, max);
 }
 
+// Within the plot, on a veil: a narrow page has no room beside it.
+void PlotsView::draw_narrow_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) const {
+  const SmallText title("{}, {} [{}]", plot.choice.quantity->label, plot.owner, plot.unit);
+  const ImVec2 at{min.x + 4.0f, min.y + 8.0f};
+  const float width = std::min(ImGui::CalcTextSize(title.c_str()).x, max.x - at.x);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImU32 veil = with_alpha(context.theme.panel, 0.75f);
+  list.AddRectFilled({at.x - 3.0f, at.y}, {at.x + width + 3.0f, at.y + 17.0f}, veil, 3.0f);
+  ImGui::PushFont(context.fonts.text, Fonts::kSmallSize + 1.0f);
+  ImGui::SetCursorScreenPos({at.x, at.y + 1.0f});
+  ui::elided_text(context, title, max.x - at.x, context.theme.text);
+  ImGui::PopFont();
+  const float bottom = max.y - 22.0f;
+  list.AddRectFilled({at.x - 3.0f, bottom}, {max.x, bottom + 14.0f}, veil, 3.0f);
+  draw_values(context, plot, index, {at.x, bottom + 1.0f}, {max.x, max.y});
+}
+
 // One below the other where there is room, else side by side.
 void PlotsView::draw_values(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at, ImVec2 max) const {
   constexpr float kLine = 15.0f;
@@ -180,9 +197,11 @@ void PlotsView::draw_rows(ViewContext& context, ImVec2 min, ImVec2 max) {
     const float top = corner.y + static_cast<float>(i) * height;
     ImGui::PushID(static_cast<int>(i));
     rows_[i].draw(context, plots[i], context.analysis.serial(), static_cast<int>(i), {min.x, top}, {max.x, top + height});
-    const float label_right = context.options.compact ? max.x - 44.0f : min.x + kChannelListWidth;
-    const float label_left = context.options.compact ? context.time_window.left - 4.0f : min.x;
-    draw_label(context, plots[i], static_cast<int>(i), {label_left, top}, {label_right, top + height});
+    if (context.options.compact) {
+      draw_narrow_label(context, plots[i], static_cast<int>(i), {context.time_window.left, top}, {context.time_window.right - 40.0f, top + height});
+    } else {
+      draw_label(context, plots[i], static_cast<int>(i), {min.x, top}, {min.x + kChannelListWidth, top + height});
+    }
     if (i > 0) ImGui::GetWindowDrawList()->AddLine({min.x, top}, {max.x, top}, context.theme.line);
     ImGui::PopID();
   }
