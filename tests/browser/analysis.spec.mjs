@@ -98,7 +98,7 @@ test("quantities are added, set against each other, and told in numbers", async 
   await marey.click("plots.add");
   await marey.click("plots.add.kinetic_energy");
   await marey.expectState(({ analysis }) => analysis.plots.at(-1), {
-    quantity: "kinetic_energy", owner: "whole body", unit: "J", values: expect.anything(),
+    quantity: "kinetic_energy", owner: "whole body", unit: "J", values: expect.anything(), bands: {},
   });
   await marey.click("plots.mode");
   await marey.click("plots.mode.against");

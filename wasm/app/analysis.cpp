@@ -14,6 +14,7 @@ namespace {
 
 /// From this many samples on, a drag goes on with the former numbers until it ends.
 constexpr double kManySamples = 40'000.0;
+constexpr double kUnitDoubt = 0.02;
 
 struct ShownUnit {
   std::string_view unit;
@@ -91,6 +92,31 @@ std::vector<AskedQuantity> asked_by(const Skeleton& skeleton, std::span<const An
   return asked;
 }
 
+std::vector<Derivation> neighbours_of(const Derivation& derivation) {
+  std::vector<Derivation> neighbours(2, derivation);
+  switch (derivation.kind) {
+    case DerivationKind::Butterworth:
+      neighbours[0].cutoff_hz *= 0.8;
+      neighbours[1].cutoff_hz *= 1.25;
+      return neighbours;
+    case DerivationKind::SavitzkyGolay:
+      neighbours[0].window = std::max(neighbours[0].window - 2, (derivation.degree + 1) | 1);
+      neighbours[1].window += 2;
+      return neighbours;
+    case DerivationKind::Central:
+    case DerivationKind::Gcv: break;
+  }
+  return {{.kind = DerivationKind::SavitzkyGolay, .window = 5, .degree = 2}};
+}
+
+void widen(PlotBand& band, std::span<const double> values) {
+  for (std::size_t i = 0; i < std::min(values.size(), band.low.size()); ++i) {
+    if (!std::isfinite(values[i]) || !std::isfinite(band.low[i])) continue;
+    band.low[i] = std::min(band.low[i], values[i]);
+    band.high[i] = std::max(band.high[i], values[i]);
+  }
+}
+
 }  // namespace
 
 const Quantity* find_quantity(std::string_view name) {
@@ -144,7 +170,7 @@ void Analysis::make_plots(const Session& session) {
   const Skeleton& skeleton = session.document.skeleton();
   plots_.clear();
   for (const PlotChoice& choice : choices_) {
-    AnalysisPlot plot{.choice = choice, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .other = {}};
+    AnalysisPlot plot{.choice = choice, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
     if (is_of_joint(*choice.quantity) || !choice.owner.empty()) {
       const bool follows = choice.owner.empty() && key_.joint != kNoParent;
       plot.node = follows ? skeleton.node_of(key_.joint) : find_owner(skeleton, *choice.quantity, choice.owner);
@@ -161,6 +187,49 @@ void Analysis::add_raw(const Clip& clip, AnalysisRequest request) {
   if (!raw) return;
   for (AnalysisPlot& plot : plots_) {
     if (plot.choice.quantity->level != DerivativeLevel::Pose && !plot.missing) plot.raw = lines_of(*raw, plot, plot.node);
+  }
+}
+
+std::vector<AnalysisRequest> Analysis::variants_of(const Clip& clip, const AnalysisRequest& request) const {
+  std::vector<AnalysisRequest> variants;
+  for (const Derivation& other : neighbours_of(request.derivation)) {
+    variants.push_back(request);
+    variants.back().derivation = other;
+  }
+  const auto add_body = [&](BodyTable table, double metres_per_unit) {
+    Result<GuessedBody> body = guess_body(clip.skeleton, table, body_->mass_kg, metres_per_unit);
+    if (!body) return;
+    variants.push_back(request);
+    variants.back().model = std::move(body->model);
+  };
+  const double unit = clip.settings.metres_per_unit;
+  if (request.model && body_->table != BodyTable::Rods) {
+    add_body(body_->table == BodyTable::DeLevaMale ? BodyTable::DeLevaFemale : BodyTable::DeLevaMale, unit);
+  }
+  for (const double factor : {1.0 - kUnitDoubt, 1.0 + kUnitDoubt}) {
+    if (request.model) {
+      add_body(body_->table, unit * factor);
+    } else {
+      variants.push_back(request);
+      variants.back().model.emplace().metres_per_unit = unit * factor;
+    }
+  }
+  return variants;
+}
+
+void Analysis::add_bands(const Clip& clip, const AnalysisRequest& request) {
+  for (AnalysisPlot& plot : plots_) {
+    for (const PlotLine& line : plot.lines) plot.bands.push_back({line.component, line.values, line.values});
+  }
+  for (const AnalysisRequest& variant : variants_of(clip, request)) {
+    const Result<AnalysisTable> table = analyse(clip, variant);
+    if (!table) continue;
+    for (AnalysisPlot& plot : plots_) {
+      for (const PlotLine& line : lines_of(*table, plot, plot.node)) {
+        const auto band = std::find_if(plot.bands.begin(), plot.bands.end(), [&](const PlotBand& b) { return b.component == line.component; });
+        if (band != plot.bands.end()) widen(*band, line.values);
+      }
+    }
   }
 }
 
@@ -221,6 +290,7 @@ void Analysis::compute(const Session& session) {
     if (!plot.missing) plot.lines = lines_of(table_, plot, plot.node);
   }
   if (key_.shows_raw) add_raw(clip, request);
+  if (key_.shows_bands) add_bands(clip, request);
   if (key_.other != nullptr) add_other(*key_.other, std::move(request));
 }
 
@@ -242,6 +312,7 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
                 .derivation = derivation,
                 .shows_plots = shows_plots,
                 .shows_raw = shows_plots && shows_raw && smooths,
+                .shows_bands = shows_plots && shows_bands,
                 .arrows = arrows};
   if (known_ && key == key_) return false;
   const bool only_edited = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices;

@@ -28,6 +28,13 @@ struct PlotLine {
   std::vector<double> values;
 };
 
+/// How far a component moves when what it rests on is taken a little otherwise.
+struct PlotBand {
+  char component = 0;
+  std::vector<double> low;
+  std::vector<double> high;
+};
+
 /// What is plotted, ready to be drawn: angles in degrees, everything else in SI.
 struct AnalysisPlot {
   PlotChoice choice;
@@ -37,6 +44,7 @@ struct AnalysisPlot {
   std::string_view unit;      ///< "°/s", "N·m"
   std::vector<PlotLine> lines;
   std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
+  std::vector<PlotBand> bands;  ///< around the lines, where that was asked for
   std::vector<PlotLine> other;  ///< of the other clip, by its own frame time
 
   /// "Joint torque [N·m]".
@@ -49,6 +57,9 @@ class Analysis {
   SupportKind support = SupportKind::Auto;
   Derivation derivation;
   bool shows_raw = true;    ///< beside smoothed lines
+  /// The hull of the results with a cut-off a fifth lower and a quarter higher (or windows two frames shorter and longer; or
+  /// light smoothing where there is none), with the other published table, and with a unit of length 2 % smaller and larger.
+  bool shows_bands = false;
   bool shows_other = true;  ///< beside those of the open clip, when another one has been read
 
   [[nodiscard]] const std::vector<PlotChoice>& choices() const { return choices_; }
@@ -92,12 +103,15 @@ class Analysis {
     Derivation derivation;
     bool shows_plots = false;
     bool shows_raw = false;
+    bool shows_bands = false;
     ShownArrows arrows;
     friend bool operator==(const Key&, const Key&) = default;
   };
   void compute(const Session& session);
   void make_plots(const Session& session);
   void add_raw(const Clip& clip, AnalysisRequest request);
+  void add_bands(const Clip& clip, const AnalysisRequest& request);
+  [[nodiscard]] std::vector<AnalysisRequest> variants_of(const Clip& clip, const AnalysisRequest& request) const;
   void add_other(const OtherClip& other, AnalysisRequest request);
   void add_arrows(AnalysisRequest& request) const;
 

@@ -119,6 +119,15 @@ json line_values(const std::vector<PlotLine>& lines, FrameIndex frame) {
   return values;
 }
 
+json band_values(const std::vector<PlotBand>& bands, FrameIndex frame) {
+  json values = json::object();
+  for (const PlotBand& band : bands) {
+    if (frame >= size_of(band.low) || !std::isfinite(band.low[idx(frame)])) continue;
+    values[band.component == 0 ? "value" : std::string(1, band.component)] = {band.low[idx(frame)], band.high[idx(frame)]};
+  }
+  return values;
+}
+
 json analysis_state(const Workspace& workspace) {
   const Analysis& analysis = workspace.analysis;
   json plots = json::array();
@@ -126,7 +135,8 @@ json analysis_state(const Workspace& workspace) {
     plots.push_back({{"quantity", plot.choice.quantity->name},
                      {"owner", plot.owner},
                      {"unit", plot.unit},
-                     {"values", line_values(plot.lines, workspace.session.playback.frame())}});
+                     {"values", line_values(plot.lines, workspace.session.playback.frame())},
+                     {"bands", band_values(plot.bands, workspace.session.playback.frame())}});
   }
   constexpr const char* kSupports[] = {"pivot", "flight", "ground", "auto"};
   return {{"plots", std::move(plots)},

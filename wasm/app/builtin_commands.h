@@ -20,6 +20,9 @@ void add_clip_commands(CommandRegistry& registry, Workspace& workspace);
 void add_frame_commands(CommandRegistry& registry, Workspace& workspace);
 void add_help_commands(CommandRegistry& registry, Workspace& workspace);
 
+/// Registers a command that turns `value` over, or sets it by {"on": true} and {"on": false}.
+void add_switch(CommandRegistry& registry, Command command, bool& value);
+
 /// "walk.bvh" for "walk.bvh", "walk.BVH", "walk.txt" and "walk"; "clip.bvh" for an empty name.
 [[nodiscard]] std::string download_name(std::string_view file_name);
 

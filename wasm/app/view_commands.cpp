@@ -14,18 +14,6 @@ using nlohmann::json;
 
 constexpr std::array kScales_percent = {100, 110, 125, 150, 175, 200, 225, 250};
 
-// A switch: without arguments it turns over, {"on": true} and {"on": false} set it.
-void add_switch(CommandRegistry& registry, Command command, bool& value) {
-  command.run = [&value](const json& args) -> json {
-    CommandArgs read(args);
-    const bool on = read.boolean("on", !value);
-    if (read.failed()) return read.error();
-    return value = on;
-  };
-  command.checked = [&value] { return value; };
-  registry.add(std::move(command));
-}
-
 void add_scene_switches(CommandRegistry& registry, ViewOptions& options) {
   add_switch(registry, {.id = "view.grid", .label = "Ground grid", .help = "Draws the ground with a grid in file units.",
                         .shortcut = "G", .icon = icons::kGrid3x3}, options.show_grid);
@@ -175,6 +163,17 @@ void add_projector(CommandRegistry& registry, ViewOptions& options) {
 }
 
 }  // namespace
+
+void add_switch(CommandRegistry& registry, Command command, bool& value) {
+  command.run = [&value](const json& args) -> json {
+    CommandArgs read(args);
+    const bool on = read.boolean("on", !value);
+    if (read.failed()) return read.error();
+    return value = on;
+  };
+  command.checked = [&value] { return value; };
+  registry.add(std::move(command));
+}
 
 void add_view_commands(CommandRegistry& registry, Workspace& workspace) {
   add_panels(registry, workspace);

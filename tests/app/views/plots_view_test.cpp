@@ -135,6 +135,34 @@ TEST_F(PlotsViewTest, WritesTableAndDrawing) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST_F(PlotsViewTest, DrawsBandsOfDoubtAroundTheCurves) {
+  stage_.app().run_command("play.go_to_frame", {{"frame", 10}});
+  stage_.settle();
+  EXPECT_TRUE(plots()[3]["bands"].empty());
+  for (const char* method : {"central", "butterworth:6", "savgol:7,3", "gcv"}) {
+    stage_.app().run_command("analysis.method", {{"derivative", method}, {"bands", true}});
+    stage_.settle();
+    for (const std::size_t plot : {std::size_t{1}, std::size_t{2}, std::size_t{3}}) {
+      const double value = plots()[plot]["values"]["z"];
+      EXPECT_LE(plots()[plot]["bands"]["z"][0].get<double>(), value);
+      EXPECT_GE(plots()[plot]["bands"]["z"][1].get<double>(), value);
+    }
+    // A unit of length 2 % larger alone makes torques of the same masses 4 % larger.
+    const Json torque = plots()[3]["bands"]["z"];
+    EXPECT_GT(torque[1].get<double>() - torque[0].get<double>(), 0.03 * std::abs(plots()[3]["values"]["z"].get<double>()));
+  }
+}
+
+TEST_F(PlotsViewTest, SuggestsACutoffByTheResiduals) {
+  stage_.app().run_command("view.curves", {{"on", false}});
+  stage_.app().run_command("analysis.body", nullptr);
+  stage_.app().run_command("analysis.method", {{"derivative", "butterworth:99"}});
+  stage_.settle();
+  stage_.click("body.cutoff.suggest");
+  stage_.settle();
+  EXPECT_NE(stage_.state()["analysis"]["derivative"], "butterworth:99");
+}
+
 TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {
   stage_.app().run_command("view.curves", {{"on", false}});
   stage_.app().run_command("analysis.body", nullptr);

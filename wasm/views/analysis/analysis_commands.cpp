@@ -104,13 +104,14 @@ json set_plots(Workspace& workspace, const json& args) {
   return show_plots(workspace);
 }
 
-/// {"derivative": "butterworth:6", "support": "pivot", "raw": true}.
+/// {"derivative": "butterworth:6", "support": "pivot", "raw": true, "bands": true}.
 json set_method(Workspace& workspace, const json& args) {
   Analysis& analysis = workspace.analysis;
   CommandArgs read(args);
   const std::string derivative = read.text("derivative", describe(analysis.derivation));
   const std::string support = read.text("support", "");
   const bool raw = read.boolean("raw", analysis.shows_raw);
+  const bool bands = read.boolean("bands", analysis.shows_bands);
   if (read.failed()) return read.error();
   const Result<Derivation> derivation = parse_derivation(derivative);
   if (!derivation) return command_error(derivation.error().message);
@@ -119,21 +120,15 @@ json set_method(Workspace& workspace, const json& args) {
   analysis.derivation = *derivation;
   analysis.support = *kind;
   analysis.shows_raw = raw;
-  return {{"derivative", describe(*derivation)}, {"raw", raw}};
+  analysis.shows_bands = bands;
+  return {{"derivative", describe(*derivation)}, {"raw", raw}, {"bands", bands}};
 }
 
 void add_arrow_switches(CommandRegistry& registry, Workspace& workspace) {
   ShownArrows& shown = workspace.preferences.options.shown_arrows;
   const auto add = [&](Command command, bool& value) {
-    command.run = [&value](const json& args) -> json {
-      CommandArgs read(args);
-      const bool on = read.boolean("on", !value);
-      if (read.failed()) return read.error();
-      return value = on;
-    };
-    command.checked = [&value] { return value; };
     command.blocked = [&workspace] { return needs_frames(workspace); };
-    registry.add(std::move(command));
+    add_switch(registry, std::move(command), value);
   };
   const auto arrow = [&](BodyArrow kind) -> bool& { return shown.arrows[static_cast<int>(kind)]; };
   add({.id = "view.com", .label = "Centre of mass", .help = "Draws the centre of mass, its path and its place on the ground.",

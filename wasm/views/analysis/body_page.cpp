@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
 #include "core/editing/clip_operations.h"
+#include "core/signal/residual_analysis.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/clip_page.h"
 #include "wasm/views/inspector/property_row.h"
@@ -131,6 +132,29 @@ void draw_number(ViewContext& context, const char* id, const char* name, double&
   inspector::end_row();
 }
 
+// The middle one of what the residuals of the joint's rotations suggest; 0 where they suggest nothing.
+double suggested_cutoff_hz(const Clip& clip, JointIndex joint) {
+  std::vector<double> found;
+  for (int i = 0; joint != kNoParent && i < clip.skeleton.channel_count(joint); ++i) {
+    const ChannelIndex channel = clip.skeleton.first_channel(joint) + i;
+    if (!is_rotation(clip.skeleton.channel(channel).kind)) continue;
+    const double cutoff_hz = analyse_residuals(clip.motion.channel_samples(channel), 1.0 / clip.motion.frame_time_s()).cutoff_hz;
+    if (cutoff_hz > 0.0) found.push_back(cutoff_hz);
+  }
+  std::sort(found.begin(), found.end());
+  return found.empty() ? 0.0 : found[found.size() / 2];
+}
+
+void draw_suggestion(ViewContext& context, Derivation& derivation) {
+  inspector::begin_row(context, "");
+  if (ui::text_button(context, "body.cutoff.suggest", "Suggest", "Takes the cut-off that the residuals of the plotted joint suggest (Winter 2009).")) {
+    const double cutoff_hz = suggested_cutoff_hz(context.session.document.clip(), context.analysis.joint());
+    if (cutoff_hz > 0.0) derivation.cutoff_hz = std::round(10.0 * cutoff_hz) / 10.0;
+    else context.refusal = "The residuals of this joint suggest no cut-off.";
+  }
+  inspector::end_row();
+}
+
 void draw_derivation(ViewContext& context) {
   Derivation& derivation = context.analysis.derivation;
   inspector::heading(context, "Velocities and accelerations");
@@ -143,6 +167,7 @@ void draw_derivation(ViewContext& context) {
   inspector::end_row();
   if (derivation.kind == DerivationKind::Butterworth) {
     draw_number(context, "body.cutoff", "Cut-off", derivation.cutoff_hz, {.unit = "Hz", .decimals = 1, .step = 0.1, .low = 0.1, .high = 1000.0});
+    draw_suggestion(context, derivation);
   } else if (derivation.kind == DerivationKind::SavitzkyGolay) {
     double window = derivation.window;
     double degree = derivation.degree;
@@ -151,6 +176,11 @@ void draw_derivation(ViewContext& context) {
     derivation.window = static_cast<int>(window) / 2 * 2 + 1;
     derivation.degree = std::min(static_cast<int>(degree), derivation.window - 1);
   }
+  ImGui::SetCursorPosX(inspector::kPadding);
+  ui::toggle(context, "body.bands", "Bands of doubt",
+             "Shows how far each curve moves with another cut-off, another table of the body, and a unit of length 2 % off.",
+             context.analysis.shows_bands);
+  inspector::end_row();
   if (derivation.kind == DerivationKind::Central) return;
   ImGui::SetCursorPosX(inspector::kPadding);
   ui::toggle(context, "body.raw", "Without smoothing too", "Draws the unsmoothed curve in grey behind the smoothed one.", context.analysis.shows_raw);

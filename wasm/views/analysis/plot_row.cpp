@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "wasm/views/graph/ticks.h"
 
@@ -14,6 +15,7 @@ constexpr float kLineWidth = 1.75f;
 constexpr float kProjectorWidth = 2.75f;
 constexpr float kThinWidth = 1.0f;
 constexpr float kOtherAlpha = 0.6f;
+constexpr float kBandAlpha = 0.22f;
 constexpr double kDenseSamplesPerColumn = 2.0;
 constexpr double kWheelZoom = 1.15;
 constexpr float kLetterHeight = 13.0f;
@@ -81,6 +83,29 @@ void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t n
   compute_column_extents(pyramids_[number], line.values, columns_, extents_);
   band_.build(extents_, columns_, context.time_window, axis_);
   band_.add_to(batch_, color, width);
+}
+
+// Upright slices from sample to sample, no narrower than a unit; without smoothed edges, which would show between them.
+void PlotRow::draw_bands(ViewContext& context, const AnalysisPlot& plot) const {
+  const TimeWindow& time = context.time_window;
+  const int step = std::max(1, static_cast<int>(time.frames_per_unit()));
+  const int first = std::max(0, static_cast<int>(std::floor(time.first)));
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const ImDrawListFlags flags = list.Flags;
+  list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+  for (const PlotBand& band : plot.bands) {
+    const ImU32 color = with_alpha(component_color(context.theme, band.component), kBandAlpha);
+    const int last = std::min(size_of(band.low) - 1, static_cast<int>(std::ceil(time.last)));
+    for (int frame = first; frame + step <= last; frame += step) {
+      const auto [a, b] = std::pair(idx(frame), idx(frame + step));
+      if (!std::isfinite(band.low[a]) || !std::isfinite(band.low[b])) continue;
+      const float left = time.x_of(frame);
+      const float right = time.x_of(frame + step);
+      list.AddQuadFilled({left, axis_.y_of(band.high[a])}, {right, axis_.y_of(band.high[b])}, {right, axis_.y_of(band.low[b])},
+                         {left, axis_.y_of(band.low[a])}, color);
+    }
+  }
+  list.Flags = flags;
 }
 
 void PlotRow::draw_lines(ViewContext& context, const AnalysisPlot& plot) {
@@ -180,6 +205,7 @@ void PlotRow::draw(ViewContext& context, const AnalysisPlot& plot, std::uint64_t
   draw_ground(context, plot);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PushClipRect(area_.min, area_.max, true);
+  draw_bands(context, plot);
   draw_lines(context, plot);
   draw_cursor(context, plot);
   list.PopClipRect();

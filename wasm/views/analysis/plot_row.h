@@ -32,6 +32,7 @@ class PlotRow {
   };
   void follow(const AnalysisPlot& plot, std::uint64_t serial);
   void draw_ground(ViewContext& context, const AnalysisPlot& plot) const;
+  void draw_bands(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_lines(ViewContext& context, const AnalysisPlot& plot);
   void add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width);
   void draw_ends(ViewContext& context, const AnalysisPlot& plot) const;
