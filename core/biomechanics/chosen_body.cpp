@@ -18,24 +18,26 @@ void give_mass(GuessedBody& body, const OwnMass& own) {
   for (GuessedPart& part : body.parts) part.mass_kg *= part.joint == own.joint ? factor : 1.0;
 }
 
-Result<GuessedBody> guess(const Clip& clip, BodyTable table) {
-  const double mass_kg = clip.body.mass_kg.value_or(usual_mass_kg(table));
-  return guess_body(clip.skeleton, table, mass_kg, clip.settings.metres_per_unit);
-}
-
 }  // namespace
 
-Result<ChosenBody> find_chosen_body(const Clip& clip) {
-  BodyTable table = clip.body.table.value_or(BodyTable::DeLevaMale);
-  Result<GuessedBody> body = guess(clip, table);
-  if (!body && !clip.body.table) {
+Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit) {
+  const auto guess = [&](BodyTable table) {
+    return guess_body(skeleton, table, choice.mass_kg.value_or(usual_mass_kg(table)), metres_per_unit);
+  };
+  BodyTable table = choice.table.value_or(BodyTable::DeLevaMale);
+  Result<GuessedBody> body = guess(table);
+  if (!body && !choice.table) {
     table = BodyTable::Rods;
-    body = guess(clip, table);
+    body = guess(table);
   }
   if (!body) return body.error();
-  for (const OwnMass& own : clip.body.own) give_mass(*body, own);
+  for (const OwnMass& own : choice.own) give_mass(*body, own);
   const double mass_kg = total_mass_kg(body->model);
   return ChosenBody{std::move(*body), table, mass_kg};
+}
+
+Result<ChosenBody> find_chosen_body(const Clip& clip) {
+  return find_chosen_body(clip.skeleton, clip.body, clip.settings.metres_per_unit);
 }
 
 }  // namespace marey

@@ -15,5 +15,6 @@ struct ChosenBody {
 
 /// Errors: those of guess_body(), where a table was chosen that the figure does not fit, or no bone has a length.
 [[nodiscard]] Result<ChosenBody> find_chosen_body(const Clip& clip);
+[[nodiscard]] Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit);
 
 }  // namespace marey

@@ -26,7 +26,7 @@ std::u16string make_gbk_ideographs() {
   std::vector<bool> has(kLastIdeograph - kFirstIdeograph + 1);
   for (const std::u16string_view row : gb2312_rows().subspan(kFirstIdeographRow)) {
     for (const char16_t letter : row) {
-      if (letter != kNoLetter) has[letter - kFirstIdeograph] = true;
+      if (letter >= kFirstIdeograph && letter <= kLastIdeograph) has[letter - kFirstIdeograph] = true;
     }
   }
   std::u16string ideographs;

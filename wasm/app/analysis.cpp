@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/biomechanics/plausibility.h"
 #include "core/math/angle.h"
 
 namespace marey::app {
@@ -15,6 +16,7 @@ namespace {
 /// From this many samples on, a drag goes on with the former numbers until it ends.
 constexpr double kManySamples = 40'000.0;
 constexpr double kUnitDoubt = 0.02;
+constexpr int kLeastFramesToJudge = 5;
 
 struct ShownUnit {
   std::string_view unit;
@@ -29,19 +31,6 @@ constexpr std::array kShownUnits = {ShownUnit{"rad", "°", true},      ShownUnit
 const ShownUnit* find_unit(std::string_view unit) {
   const auto found = std::find_if(kShownUnits.begin(), kShownUnits.end(), [&](const ShownUnit& u) { return u.unit == unit; });
   return found == kShownUnits.end() ? nullptr : &*found;
-}
-
-// The active joint; without one the first that turns, of those below the root if there are any.
-JointIndex joint_of(const Session& session) {
-  const Skeleton& skeleton = session.document.skeleton();
-  if (session.selection.active_joint() != kNoParent) return session.selection.active_joint();
-  const JointIndex first = skeleton.joint_count() > 0 ? 0 : kNoParent;
-  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    const auto channels = skeleton.channels(joint);
-    const bool turns = std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
-    if (turns && skeleton.parent(joint) != kNoParent) return joint;
-  }
-  return first;
 }
 
 bool can_have(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
@@ -87,7 +76,7 @@ std::vector<AskedQuantity> asked_by(const Skeleton& skeleton, std::span<const An
   for (const AnalysisPlot& plot : plots) {
     const Quantity& quantity = *plot.choice.quantity;
     const bool is_new = std::none_of(asked.begin(), asked.end(), [&](const AskedQuantity& a) { return a.quantity == &quantity && a.node == plot.node; });
-    if (is_new && !plot.missing) asked.push_back(asked_of(skeleton, quantity, plot.node));
+    if (is_new && plot.problem.empty()) asked.push_back(asked_of(skeleton, quantity, plot.node));
   }
   return asked;
 }
@@ -109,6 +98,20 @@ std::vector<Derivation> neighbours_of(const Derivation& derivation) {
   return {{.kind = DerivationKind::SavitzkyGolay, .window = 5, .degree = 2}};
 }
 
+// The values at 0, step, 2 step ... frames, straight between two; none behind the last.
+std::vector<double> at_other_times(std::span<const double> values, double step, int count) {
+  std::vector<double> result(idx(count), std::nan(""));
+  for (int i = 0; i < count; ++i) {
+    const double place = i * step;
+    if (!(place <= static_cast<double>(values.size()) - 1.0)) break;
+    const auto before = static_cast<std::size_t>(place);
+    const std::size_t behind = std::min(before + 1, values.size() - 1);
+    const double share = place - static_cast<double>(before);
+    result[idx(i)] = share == 0.0 ? values[before] : values[before] + share * (values[behind] - values[before]);
+  }
+  return result;
+}
+
 void widen(PlotBand& band, std::span<const double> values) {
   for (std::size_t i = 0; i < std::min(values.size(), band.low.size()); ++i) {
     if (!std::isfinite(values[i]) || !std::isfinite(band.low[i])) continue;
@@ -118,6 +121,18 @@ void widen(PlotBand& band, std::span<const double> values) {
 }
 
 }  // namespace
+
+JointIndex find_plotted_joint(const Session& session) {
+  const Skeleton& skeleton = session.document.skeleton();
+  if (session.selection.active_joint() != kNoParent) return session.selection.active_joint();
+  const JointIndex first = skeleton.joint_count() > 0 ? 0 : kNoParent;
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const auto channels = skeleton.channels(joint);
+    const bool turns = std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
+    if (turns && skeleton.parent(joint) != kNoParent) return joint;
+  }
+  return first;
+}
 
 const Quantity* find_quantity(std::string_view name) {
   const std::span<const Quantity> all = quantities();
@@ -157,11 +172,13 @@ std::span<const double> Analysis::column(std::string_view quantity, NodeIndex no
 
 void Analysis::add_arrows(AnalysisRequest& request) const {
   if (!key_.arrows.any()) return;
-  if (key_.arrows.com) request.quantities.emplace_back("com");
+  if (key_.arrows.com && body_) request.quantities.emplace_back("com");
   constexpr std::array<std::string_view, kBodyArrowCount> kOfJoints = {"velocity", "acceleration", "force", "torque", "", ""};
   for (std::size_t i = 0; i < kOfJoints.size(); ++i) {
-    if (key_.arrows.arrows[i] && !kOfJoints[i].empty()) request.quantities.push_back(fmt::format("{}:*", kOfJoints[i]));
+    const bool is_known = !kOfJoints[i].empty() && (body_ || !find_quantity(kOfJoints[i])->needs_body);
+    if (key_.arrows.arrows[i] && is_known) request.quantities.push_back(fmt::format("{}:*", kOfJoints[i]));
   }
+  if (!body_) return;
   if (key_.arrows.shows(BodyArrow::AngularMomentum)) request.quantities.insert(request.quantities.end(), {"com", "angular_momentum"});
   if (key_.arrows.shows(BodyArrow::Reaction)) request.quantities.insert(request.quantities.end(), {"reaction", "cop"});
 }
@@ -170,12 +187,12 @@ void Analysis::make_plots(const Session& session) {
   const Skeleton& skeleton = session.document.skeleton();
   plots_.clear();
   for (const PlotChoice& choice : choices_) {
-    AnalysisPlot plot{.choice = choice, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
+    AnalysisPlot plot{.choice = choice, .problem = {}, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
     if (is_of_joint(*choice.quantity) || !choice.owner.empty()) {
       const bool follows = choice.owner.empty() && key_.joint != kNoParent;
       plot.node = follows ? skeleton.node_of(key_.joint) : find_owner(skeleton, *choice.quantity, choice.owner);
-      plot.missing = plot.node == kNoParent;
-      plot.owner = plot.missing ? choice.owner : node_label(skeleton, plot.node);
+      if (plot.node == kNoParent) plot.problem = choice.owner + " is not in this figure";
+      plot.owner = plot.node == kNoParent ? choice.owner : node_label(skeleton, plot.node);
     }
     plots_.push_back(std::move(plot));
   }
@@ -186,7 +203,7 @@ void Analysis::add_raw(const Clip& clip, AnalysisRequest request) {
   const Result<AnalysisTable> raw = analyse(clip, request);
   if (!raw) return;
   for (AnalysisPlot& plot : plots_) {
-    if (plot.choice.quantity->level != DerivativeLevel::Pose && !plot.missing) plot.raw = lines_of(*raw, plot, plot.node);
+    if (plot.choice.quantity->level != DerivativeLevel::Pose && plot.problem.empty()) plot.raw = lines_of(*raw, plot, plot.node);
   }
 }
 
@@ -197,10 +214,13 @@ std::vector<AnalysisRequest> Analysis::variants_of(const Clip& clip, const Analy
     variants.back().derivation = other;
   }
   const auto add_body = [&](BodyTable table, double metres_per_unit) {
-    Result<GuessedBody> body = guess_body(clip.skeleton, table, body_->mass_kg, metres_per_unit);
+    BodyChoice choice = clip.body;
+    choice.table = table;
+    choice.mass_kg = clip.body.mass_kg.value_or(usual_mass_kg(body_->table));
+    Result<ChosenBody> body = find_chosen_body(clip.skeleton, choice, metres_per_unit);
     if (!body) return;
     variants.push_back(request);
-    variants.back().model = std::move(body->model);
+    variants.back().model = std::move(body->body.model);
   };
   const double unit = clip.settings.metres_per_unit;
   if (request.model && body_->table != BodyTable::Rods) {
@@ -233,17 +253,30 @@ void Analysis::add_bands(const Clip& clip, const AnalysisRequest& request) {
   }
 }
 
-// Plots of what the other figure does not have go without it.
-void Analysis::add_other(const OtherClip& other, AnalysisRequest request) {
-  request.model.reset();
-  if (Result<ChosenBody> body = find_chosen_body(other.clip)) request.model = std::move(body->body.model);
-  const Skeleton& skeleton = other.clip.skeleton;
-  for (AnalysisPlot& plot : plots_) {
-    const Quantity& quantity = *plot.choice.quantity;
-    const NodeIndex node = plot.node == kNoParent ? kNoParent : find_owner(skeleton, quantity, plot.owner);
-    if (plot.missing || (plot.node != kNoParent && node == kNoParent)) continue;
-    request.asked = {asked_of(skeleton, quantity, node)};
-    if (const Result<AnalysisTable> table = analyse(other.clip, request)) plot.other = lines_of(*table, plot, node);
+// Plots of what the other figure does not have go without it. The lines follow only from what other_key_ has.
+void Analysis::add_other(const Motion& motion, AnalysisRequest request) {
+  const Clip& other = key_.other->clip;
+  Key key = key_;
+  key.revision = 0;
+  key.arrows = {};
+  if (!(key == other_key_) || other_lines_.size() != plots_.size()) {
+    other_key_ = key;
+    other_lines_.assign(plots_.size(), {});
+    request.model.reset();
+    if (Result<ChosenBody> body = find_chosen_body(other)) request.model = std::move(body->body.model);
+    for (std::size_t i = 0; i < plots_.size(); ++i) {
+      const Quantity& quantity = *plots_[i].choice.quantity;
+      const NodeIndex node = plots_[i].node == kNoParent ? kNoParent : find_owner(other.skeleton, quantity, plots_[i].owner);
+      if (!plots_[i].problem.empty() || (plots_[i].node != kNoParent && node == kNoParent)) continue;
+      request.asked = {asked_of(other.skeleton, quantity, node)};
+      if (const Result<AnalysisTable> table = analyse(other, request)) other_lines_[i] = lines_of(*table, plots_[i], node);
+      else notes_.push_back("The other clip: " + table.error().message);
+    }
+  }
+  const double frames_per_frame = motion.frame_time_s() / other.motion.frame_time_s();
+  for (std::size_t i = 0; i < plots_.size(); ++i) {
+    plots_[i].other = other_lines_[i];
+    for (PlotLine& line : plots_[i].other) line.values = at_other_times(line.values, frames_per_frame, motion.frame_count());
   }
 }
 
@@ -260,6 +293,23 @@ void Analysis::follow_body(const Session& session, std::uint64_t clip_serial) {
   else body_problem_ = body.error().message;
 }
 
+const std::vector<std::string>& Analysis::judgement(const Session& session, std::uint64_t clip_serial) {
+  Key key;
+  key.clip_serial = clip_serial;
+  key.revision = session.document.revision();
+  key.derivation = derivation;
+  key.joint = 0;  // as made a key is of no joint: the first look is always another one
+  if (key == judged_) return judgement_;
+  judged_ = key;
+  judgement_.clear();
+  follow_body(session, clip_serial);
+  if (!body_ || session.document.motion().frame_count() < kLeastFramesToJudge) return judgement_;
+  const Clip& clip = session.document.clip();
+  const Result<Plausibility> found = judge(clip, body_->body.model, derivation);
+  judgement_ = found ? marey::describe(*found, clip.motion.frame_time_s()) : std::vector<std::string>{found.error().message};
+  return judgement_;
+}
+
 void Analysis::compute(const Session& session) {
   const Clip& clip = session.document.clip();
   ++serial_;
@@ -271,6 +321,9 @@ void Analysis::compute(const Session& session) {
   const bool wants_body = key_.arrows.any() || needs_body(plots_);
   if (wants_body) follow_body(session, key_.clip_serial);
   if (wants_body && !body_) notes_.push_back(body_problem_);
+  for (AnalysisPlot& plot : plots_) {
+    if (plot.problem.empty() && plot.choice.quantity->needs_body && !body_) plot.problem = "has no masses: see Body";
+  }
   AnalysisRequest request;
   request.support = support;
   request.derivation = derivation;
@@ -287,27 +340,35 @@ void Analysis::compute(const Session& session) {
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
   for (AnalysisPlot& plot : plots_) {
-    if (!plot.missing) plot.lines = lines_of(table_, plot, plot.node);
+    if (plot.problem.empty()) plot.lines = lines_of(table_, plot, plot.node);
   }
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);
-  if (key_.other != nullptr) add_other(*key_.other, std::move(request));
+  if (key_.other != nullptr) add_other(clip.motion, std::move(request));
+}
+
+void Analysis::clear() {
+  if (!known_ && plots_.empty()) return;
+  ++serial_;
+  known_ = false;
+  plots_.clear();
+  table_ = {};
+  problem_.clear();
+  notes_.clear();
 }
 
 bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool shows_plots, const ShownArrows& arrows, bool dragging) {
-  const Document& document = session.document;
-  const bool is_wanted = (shows_plots || arrows.any()) && document.motion().frame_count() > 0 && !session.is_partial;
-  if (!is_wanted) {
-    if (known_) plots_.clear();
-    known_ = false;
+  const Motion& motion = session.document.motion();
+  if ((!shows_plots && !arrows.any()) || motion.frame_count() == 0 || session.is_partial) {
+    clear();
     return false;
   }
   const bool smooths = derivation.kind != DerivationKind::Central;
   const Key key{.clip_serial = clip_serial,
-                .revision = document.revision(),
+                .revision = session.document.revision(),
                 .choices = choices_serial_,
-                .other = shows_other && shows_plots ? session.other.get() : nullptr,
-                .joint = joint_of(session),
+                .other = shows_plots ? session.other.get() : nullptr,
+                .joint = shows_plots ? find_plotted_joint(session) : kNoParent,
                 .support = support,
                 .derivation = derivation,
                 .shows_plots = shows_plots,
@@ -315,11 +376,16 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
                 .shows_bands = shows_plots && shows_bands,
                 .arrows = arrows};
   if (known_ && key == key_) return false;
-  const bool only_edited = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices;
-  if (dragging && only_edited && static_cast<double>(document.motion().samples().size()) > kManySamples) return true;
+  const bool is_long = static_cast<double>(motion.samples().size()) > kManySamples;
+  const bool is_as_before = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices &&
+                            frame_count_ == motion.frame_count();
+  if (dragging && is_long && is_as_before) return true;
+  // What throws for want of memory is tried again, not taken for a result.
+  known_ = false;
   key_ = key;
-  known_ = true;
   compute(session);
+  frame_count_ = motion.frame_count();
+  known_ = true;
   return false;
 }
 

@@ -38,14 +38,14 @@ struct PlotBand {
 /// What is plotted, ready to be drawn: angles in degrees, everything else in SI.
 struct AnalysisPlot {
   PlotChoice choice;
-  NodeIndex node = kNoParent;  ///< kNoParent for the whole body, and where `missing`
-  bool missing = false;       ///< the figure has nobody of that name, or nothing that the quantity could be of
+  NodeIndex node = kNoParent;  ///< kNoParent for the whole body, and where nobody has that name
+  std::string problem;        ///< why there are no lines: nobody of that name, no masses; "" where there are
   std::string owner;          ///< "Body", "whole body"
   std::string_view unit;      ///< "°/s", "N·m"
   std::vector<PlotLine> lines;
   std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
   std::vector<PlotBand> bands;  ///< around the lines, where that was asked for
-  std::vector<PlotLine> other;  ///< of the other clip, by its own frame time
+  std::vector<PlotLine> other;  ///< of the other clip, at the times of the open one's frames
 
   /// "Joint torque [N·m]".
   [[nodiscard]] std::string title() const;
@@ -57,18 +57,19 @@ class Analysis {
   SupportKind support = SupportKind::Auto;
   Derivation derivation;
   bool shows_raw = true;    ///< beside smoothed lines
-  /// The hull of the results with a cut-off a fifth lower and a quarter higher (or windows two frames shorter and longer; or
-  /// light smoothing where there is none), with the other published table, and with a unit of length 2 % smaller and larger.
+  /// The hull of the results with a cut-off a fifth lower and a quarter higher (or windows two frames shorter and longer;
+  /// beside differences and the spline, with polynomials of degree 2 over 5 frames), with the other published table, and with a
+  /// unit of length 2 % smaller and larger. Masses that were typed in stay.
   bool shows_bands = false;
-  bool shows_other = true;  ///< beside those of the open clip, when another one has been read
 
   [[nodiscard]] const std::vector<PlotChoice>& choices() const { return choices_; }
   void set_choices(std::vector<PlotChoice> choices);
   /// Angle, angular velocity, angular acceleration and torque of the active joint.
   [[nodiscard]] static std::vector<PlotChoice> usual_choices();
 
-  /// What the next frames show; call in each. While `dragging`, a clip that takes long keeps its former numbers. Returns
-  /// whether it does.
+  /// What the next frames show; call in each, and before numbers are handed out. While `dragging`, a clip that takes long keeps
+  /// its former numbers, if it has as many frames as before. Returns whether it does. Without frames, and while the clip is
+  /// still being read, there are no numbers.
   bool follow(const Session& session, std::uint64_t clip_serial, bool shows_plots, const ShownArrows& arrows, bool dragging);
 
   [[nodiscard]] std::span<const AnalysisPlot> plots() const { return plots_; }
@@ -83,11 +84,13 @@ class Analysis {
   [[nodiscard]] const std::string& body_problem() const { return body_problem_; }
   /// Finds the body of the clip, if it is not known yet.
   void follow_body(const Session& session, std::uint64_t clip_serial);
+  /// What speaks for or against unit of length, frame time and floor, in sentences.
+  [[nodiscard]] const std::vector<std::string>& judgement(const Session& session, std::uint64_t clip_serial);
   /// A column of the result, SI; empty where there is none.
   [[nodiscard]] std::span<const double> column(std::string_view quantity, NodeIndex node, char component) const;
   [[nodiscard]] double metres_per_unit() const { return metres_per_unit_; }
-  /// The joint that plots of the active joint are of.
-  [[nodiscard]] JointIndex joint() const { return key_.joint; }
+  /// Whether the numbers are those of this clip.
+  [[nodiscard]] bool is_of(std::uint64_t clip_serial) const { return known_ && key_.clip_serial == clip_serial; }
   /// The whole result of what is plotted, SI.
   [[nodiscard]] const AnalysisTable& table() const { return table_; }
 
@@ -112,26 +115,34 @@ class Analysis {
   void add_raw(const Clip& clip, AnalysisRequest request);
   void add_bands(const Clip& clip, const AnalysisRequest& request);
   [[nodiscard]] std::vector<AnalysisRequest> variants_of(const Clip& clip, const AnalysisRequest& request) const;
-  void add_other(const OtherClip& other, AnalysisRequest request);
+  void add_other(const Motion& motion, AnalysisRequest request);
+  void clear();
   void add_arrows(AnalysisRequest& request) const;
 
   std::vector<PlotChoice> choices_ = usual_choices();
   std::uint64_t choices_serial_ = 0;
   Key key_;
   bool known_ = false;
+  int frame_count_ = 0;  // of the numbers
   std::vector<AnalysisPlot> plots_;
+  Key other_key_;  // what the lines of the other clip follow from, without the open clip's samples
+  std::vector<std::vector<PlotLine>> other_lines_;  // of each plot, at the times of its own frames
   AnalysisTable table_;
   std::optional<ChosenBody> body_;
   std::uint64_t body_clip_serial_ = 0;
   std::uint64_t body_revision_ = 0;
   bool knows_body_ = false;
   std::string body_problem_;
+  std::vector<std::string> judgement_;
+  Key judged_;
   std::vector<std::string> notes_;
   std::string problem_;
   double metres_per_unit_ = 0.01;
   std::uint64_t serial_ = 0;
 };
 
+/// The joint that plots of the active joint are of: that, or without one the first that turns, below the root if there is any.
+[[nodiscard]] JointIndex find_plotted_joint(const Session& session);
 /// The quantity of a name; null for an unknown one.
 [[nodiscard]] const Quantity* find_quantity(std::string_view name);
 /// Whether a quantity is of a joint, so that it can be that of the active one.

@@ -69,7 +69,7 @@ void ViewportView::draw(ViewContext& context, Scene& scene) {
   handle_viewport_input(context, state_);
   update_camera(context, state_, {static_cast<double>(size.x), static_cast<double>(size.y)});
   build_scene(context, scene);
-  if (!state_.figure.empty()) arrows_.add(context, state_, scene);
+  arrows_.add(context, state_, scene);
   if (!state_.figure.empty()) labels_.draw(context, state_);
   draw_overlay(context, state_);
   draw_arrow_legend(context, arrows_, {state_.corner.x + kLegendInset, state_.corner.y + (context.options.show_strobe ? 72.0f : 36.0f)});

@@ -5,6 +5,7 @@
 
 #include "core/biomechanics/analysis.h"
 #include "core/biomechanics/chosen_body.h"
+#include "core/editing/clip_operations.h"
 #include "tests/app/support/allocation_count.h"
 #include "tests/app/support/app_stage.h"
 
@@ -153,6 +154,15 @@ TEST_F(PlotsViewTest, DrawsBandsOfDoubtAroundTheCurves) {
   }
 }
 
+TEST_F(PlotsViewTest, SaysWhatSpeaksAgainstTheFrameTime) {
+  stage_.app().run_command("view.curves", {{"on", false}});
+  stage_.app().run_command("analysis.body", nullptr);
+  stage_.settle();
+  bool found = false;
+  for (const UiItem& item : stage_.app().items().list()) found = found || item.label.find("the frame time may be wrong") != std::string::npos;
+  EXPECT_TRUE(found);
+}
+
 TEST_F(PlotsViewTest, SuggestsACutoffByTheResiduals) {
   stage_.app().run_command("view.curves", {{"on", false}});
   stage_.app().run_command("analysis.body", nullptr);
@@ -161,6 +171,47 @@ TEST_F(PlotsViewTest, SuggestsACutoffByTheResiduals) {
   stage_.click("body.cutoff.suggest");
   stage_.settle();
   EXPECT_NE(stage_.state()["analysis"]["derivative"], "butterworth:99");
+}
+
+TEST_F(PlotsViewTest, DownloadsWhatIsOpenNow) {
+  stage_.app().run_command("view.curve_editor", nullptr);
+  stage_.settle();
+  stage_.open_sample("walk");
+  stage_.app().session().playback.set_playing(false);
+  stage_.settle();
+  stage_.app().run_command("analysis.save_csv", nullptr);
+  const std::string& table = stage_.log().downloads.back().second;
+  EXPECT_THAT(table, HasSubstr("# file: walk.bvh\n"));
+  EXPECT_THAT(table, HasSubstr("\n192,3.18"));
+  stage_.app().run_command("analysis.plots", {{"quantities", {"angle"}}});
+  stage_.app().run_command("analysis.save_csv", nullptr);
+  EXPECT_EQ(stage_.log().downloads.back().second.find("# body"), std::string::npos);
+}
+
+TEST_F(PlotsViewTest, ArrowsDoNotDoubleColumns) {
+  stage_.app().run_command("view.arrows.torque", nullptr);
+  stage_.settle();
+  stage_.app().run_command("analysis.save_csv", nullptr);
+  const std::string& table = stage_.log().downloads.back().second;
+  const std::string name = "torque:" + std::string(clip().skeleton.name(1)) + ".z[N.m]";
+  ASSERT_NE(table.find(name), std::string::npos);
+  EXPECT_EQ(table.find(name, table.find(name) + 1), std::string::npos);
+}
+
+TEST_F(PlotsViewTest, GoOnWithoutABodyForWhatNeedsNone) {
+  BodyChoice choice;
+  choice.table = BodyTable::DeLevaFemale;
+  AppStage stage;
+  ASSERT_TRUE(stage.open_text("crane.bvh", small_bvh(9)));
+  stage.app().run_command("analysis.layout", nullptr);
+  ASSERT_TRUE(stage.app().session().apply(make_body_edit(stage.app().session().document.clip(), choice)));
+  stage.app().session().playback.set_position(4);
+  stage.settle();
+  const Json plots = stage.state()["analysis"]["plots"];
+  EXPECT_TRUE(stage.state()["analysis"]["problem"].is_null());
+  EXPECT_FALSE(plots[0]["values"].empty());
+  EXPECT_TRUE(plots[3]["values"].empty());
+  EXPECT_TRUE(stage.shows("plots.remove.3"));
 }
 
 TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {

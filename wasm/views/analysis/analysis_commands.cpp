@@ -18,8 +18,17 @@ constexpr float kPlotsShare = 0.56f;
 constexpr int kPrintPixels = 2126;  // 180 mm at 300 dots an inch
 
 Reason without_plots(const Workspace& workspace) {
+  if (Reason reason = needs_whole_clip(workspace); *reason != '\0') return reason;
   if (Reason reason = needs_frames(workspace); *reason != '\0') return reason;
-  return workspace.analysis.plots().empty() || !workspace.analysis.problem().empty() ? "Show plots first." : "";
+  return workspace.analysis.choices().empty() ? "Add a plot first." : "";
+}
+
+// The plots may be out of sight, and then they are those of an earlier moment.
+const std::string& bring_up_to_date(Workspace& workspace) {
+  Analysis& analysis = workspace.analysis;
+  analysis.follow(workspace.session, workspace.clip_serial, true, workspace.preferences.options.shown_arrows, false);
+  analysis.follow_body(workspace.session, workspace.clip_serial);
+  return analysis.problem();
 }
 
 std::string picture_name(const Workspace& workspace, const char* ending) {
@@ -50,13 +59,16 @@ json save_png(Workspace& workspace) {
   const std::string text = write_plots_svg(workspace.session, workspace.analysis);
   const std::string name = picture_name(workspace, "png");
   workspace.backend.download_picture(name, text, kPrintPixels);
-  workspace.notify("Downloaded " + ui::displayable(name) + ".");
+  workspace.notify("Painting " + ui::displayable(name) + ".");
   return {{"name", ui::displayable(name)}};
 }
 
 void add_downloads(CommandRegistry& registry, Workspace& workspace) {
   const auto add = [&](Command command, json (*save)(Workspace&)) {
-    command.run = [&workspace, save](const json&) { return save(workspace); };
+    command.run = [&workspace, save](const json&) {
+      const std::string& problem = bring_up_to_date(workspace);
+      return problem.empty() ? save(workspace) : command_error(problem);
+    };
     command.blocked = [&workspace] { return without_plots(workspace); };
     registry.add(std::move(command));
   };

@@ -60,7 +60,7 @@ void draw_table(ViewContext& context) {
 
 void draw_mass(ViewContext& context, double mass_kg) {
   const float width = inspector::begin_row(context, "Mass");
-  const auto result = ui::number_field(context, "body.mass", "Mass of the body", mass_kg,
+  const auto result = ui::number_field(context, "body.mass", "Mass of the body. Masses typed in below go back to the table", mass_kg,
                                        {.unit = "kg", .decimals = 1, .step = 0.1, .low = 0.001, .high = 1e4, .width = width});
   apply_number(context, result, [&](const Clip& clip) {
     BodyChoice body = clip.body;
@@ -96,10 +96,25 @@ void draw_part(ViewContext& context, const GuessedPart& part, int index) {
   inspector::end_row();
 }
 
+// A joint has one mass, whatever parts it carries.
+std::vector<GuessedPart> parts_by_joint(const std::vector<GuessedPart>& parts) {
+  std::vector<GuessedPart> joints;
+  for (const GuessedPart& part : parts) {
+    const auto same = std::find_if(joints.begin(), joints.end(), [&](const GuessedPart& p) { return p.joint == part.joint; });
+    if (same == joints.end()) {
+      joints.push_back(part);
+      continue;
+    }
+    same->mass_kg += part.mass_kg;
+    if (same->name != part.name) same->name += ", " + part.name;
+  }
+  return joints;
+}
+
 void draw_segments(ViewContext& context, const ChosenBody& body) {
   inspector::heading(context, "Segments");
   int index = 0;
-  for (const GuessedPart& part : body.body.parts) draw_part(context, part, index++);
+  for (const GuessedPart& part : parts_by_joint(body.body.parts)) draw_part(context, part, index++);
 }
 
 void draw_notes(ViewContext& context, std::span<const std::string> notes) {
@@ -108,6 +123,7 @@ void draw_notes(ViewContext& context, std::span<const std::string> notes) {
     ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - inspector::kPadding);
     ImGui::PushStyleColor(ImGuiCol_Text, context.theme.dim_text);
     ImGui::TextUnformatted(note.c_str());
+    context.items.add_last("body.note", note);
     ImGui::PopStyleColor();
     ImGui::PopTextWrapPos();
     ImGui::Dummy({0.0f, 4.0f});
@@ -128,7 +144,7 @@ void draw_number(ViewContext& context, const char* id, const char* name, double&
   ui::NumberFormat fitted = format;
   fitted.width = inspector::begin_row(context, name);
   const auto result = ui::number_field(context, id, name, value, fitted);
-  if (result.event == ui::NumberEvent::Live || result.event == ui::NumberEvent::Committed) value = result.value;
+  if (result.event != ui::NumberEvent::None) value = result.value;
   inspector::end_row();
 }
 
@@ -148,7 +164,7 @@ double suggested_cutoff_hz(const Clip& clip, JointIndex joint) {
 void draw_suggestion(ViewContext& context, Derivation& derivation) {
   inspector::begin_row(context, "");
   if (ui::text_button(context, "body.cutoff.suggest", "Suggest", "Takes the cut-off that the residuals of the plotted joint suggest (Winter 2009).")) {
-    const double cutoff_hz = suggested_cutoff_hz(context.session.document.clip(), context.analysis.joint());
+    const double cutoff_hz = suggested_cutoff_hz(context.session.document.clip(), find_plotted_joint(context.session));
     if (cutoff_hz > 0.0) derivation.cutoff_hz = std::round(10.0 * cutoff_hz) / 10.0;
     else context.refusal = "The residuals of this joint suggest no cut-off.";
   }
@@ -194,7 +210,10 @@ void draw_body_page(ViewContext& context) {
   if (clip.skeleton.joint_count() == 0) return;
   draw_derivation(context);
   draw_support(context);
-  draw_notes(context, context.analysis.notes());
+  if (context.analysis.is_of(context.clip_serial)) draw_notes(context, context.analysis.notes());
+  const std::vector<std::string>& judgement = context.analysis.judgement(context.session, context.clip_serial);
+  if (!judgement.empty()) inspector::heading(context, "Does it make sense?");
+  draw_notes(context, judgement);
   inspector::heading(context, "Body");
   draw_table(context);
   inspector::draw_unit(context);

@@ -13,7 +13,7 @@ namespace {
 bool is_plotted(const Analysis& analysis, const AnalysisColumn& column) {
   const std::span<const AnalysisPlot> plots = analysis.plots();
   return std::any_of(plots.begin(), plots.end(), [&](const AnalysisPlot& plot) {
-    return !plot.missing && plot.node == column.node &&
+    return plot.problem.empty() && plot.node == column.node &&
            std::string_view(column.label).substr(0, column.label.find(':')) == plot.choice.quantity->name;
   });
 }
@@ -28,11 +28,12 @@ std::string write_plots_csv(const Session& session, const Analysis& analysis, st
                                  ui::displayable(document.file_name()), sha256_hex(file_bytes), range.first + 1, range.end(),
                                  document.motion().frame_time_s(), describe(analysis.derivation),
                                  kSupports[static_cast<int>(analysis.support)], document.settings().metres_per_unit);
-  if (const ChosenBody* body = analysis.body()) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
+  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
   for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);
   std::vector<NumberColumn> columns;
   for (const AnalysisColumn& column : analysis.table().columns) {
-    if (is_plotted(analysis, column)) columns.push_back({column.name, column.values});
+    const bool is_new = std::none_of(columns.begin(), columns.end(), [&](const NumberColumn& c) { return c.name == column.name; });
+    if (is_new && is_plotted(analysis, column)) columns.push_back({column.name, column.values});
   }
   append_columns_header(columns, text);
   append_columns(columns, document.motion().frame_time_s(), range, text);

@@ -153,12 +153,18 @@ ValueAxis fitted_axis(const AnalysisPlot& plot, FrameRange frames) {
 
 }  // namespace
 
+const ChosenBody* body_behind(const Analysis& analysis) {
+  const std::span<const AnalysisPlot> plots = analysis.plots();
+  const bool is_needed = std::any_of(plots.begin(), plots.end(), [](const AnalysisPlot& plot) { return plot.choice.quantity->needs_body; });
+  return is_needed ? analysis.body() : nullptr;
+}
+
 std::string describe_origin(const Session& session, const Analysis& analysis) {
   const FrameRange range = session.playback.range();
   std::string text = fmt::format("Frames {} to {} of {}, {:g} s each; derivatives {}", range.first + 1, range.end(),
                                  ui::displayable(session.document.file_name()), session.document.motion().frame_time_s(),
                                  describe(analysis.derivation));
-  if (const ChosenBody* body = analysis.body()) text += fmt::format("; {:g} kg by {}", body->mass_kg, body_table_name(body->table));
+  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("; {:g} kg by {}", body->mass_kg, body_table_name(body->table));
   return text + fmt::format("; a unit is {:g} m", session.document.settings().metres_per_unit);
 }
 

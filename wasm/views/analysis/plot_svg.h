@@ -17,6 +17,9 @@ namespace marey::app {
 /// unit of length. `file_bytes`: the clip as it would be downloaded.
 [[nodiscard]] std::string write_plots_csv(const Session& session, const Analysis& analysis, std::string_view file_bytes);
 
+/// The body that the plotted numbers rest on; null where they need none.
+[[nodiscard]] const ChosenBody* body_behind(const Analysis& analysis);
+
 /// "Frames 1 to 192 of walk.bvh; butterworth:6; ...".
 [[nodiscard]] std::string describe_origin(const Session& session, const Analysis& analysis);
 

@@ -56,6 +56,10 @@ const PlotLine& partner_of(const PlotLine& line, const AnalysisPlot& first) {
   return *widest;
 }
 
+const char* why_nothing(const ViewContext& context) {
+  return context.session.is_partial ? "The file is still being read." : "Nothing is plotted. Add a plot.";
+}
+
 }  // namespace
 
 const Quantity* draw_quantity_list(ViewContext& context, const char* popup) {
@@ -112,7 +116,7 @@ void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int
   const bool pinned = !plot.choice.owner.empty();
   const float button = ImGui::GetFrameHeight();
   std::vector<PlotChoice> choices;
-  if (of_joint && !plot.missing) {
+  if (of_joint && plot.node != kNoParent) {
     ImGui::SetCursorScreenPos({at.x - 2.0f * button, at.y});
     const char* tip = pinned ? "Follow the selection. The plot is of the selected joint again."
                              : "Keep this joint. The plot stays with it when another one is selected.";
@@ -128,8 +132,9 @@ void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int
     choices.erase(choices.begin() + index);
     removed = true;
   }
-  if (!choices.empty() || removed) context.analysis.set_choices(std::move(choices));
-  if (!choices.empty() || removed) context.redraw = true;
+  if (choices.empty() && !removed) return;
+  context.analysis.set_choices(std::move(choices));
+  context.redraw = true;
 }
 
 void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) {
@@ -139,11 +144,11 @@ void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int i
   const Theme& theme = context.theme;
   draw_text(context, context.fonts.semibold, at, width, theme.text, plot.choice.quantity->label);
   const float line = std::round(at.y + 18.0f);
-  const SmallText owner("{}{}", plot.owner, plot.missing ? " is not in this figure" : "");
+  const SmallText owner("{}", plot.problem.empty() ? plot.owner : plot.problem);
   const SmallText unit("  {}", plot.unit);
   const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
   const float owner_width = width - 2.0f * button - unit_width;
-  draw_text(context, context.fonts.text, {at.x, line}, owner_width, plot.missing ? theme.warning : theme.dim_text, owner);
+  draw_text(context, context.fonts.text, {at.x, line}, owner_width, plot.problem.empty() ? theme.dim_text : theme.warning, owner);
   const float shown_width = std::min(ImGui::CalcTextSize(owner.c_str()).x, owner_width);
   ImGui::GetWindowDrawList()->AddText({at.x + shown_width, line}, theme.dim_text, unit.c_str());
   draw_buttons(context, plot, index, {max.x, std::round(line + 9.0f - 0.5f * button)});
@@ -214,7 +219,7 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
   const std::span<const AnalysisPlot> plots = context.analysis.plots();
   if (plots.size() < 2 || plots[0].lines.empty()) {
     ImGui::SetCursorScreenPos({min.x + kLabelInset, min.y + kLabelInset});
-    ui::dim_text(context, "Add a second plot to see it against the first.");
+    ui::dim_text(context, plots.size() < 2 ? "Add a second plot to see it against the first." : "The first plot has no curves.");
     return;
   }
   ValueRange range;
@@ -229,7 +234,7 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
       const PlotLine& along = partner_of(line, plots[0]);
       const ImU32 color = component_color(context.theme, line.component);
       curves.push_back({along.values, line.values, color, 1.5f});
-      dots.push_back({along.values[idx(frame)], line.values[idx(frame)], color});
+      if (idx(frame) < std::min(along.values.size(), line.values.size())) dots.push_back({along.values[idx(frame)], line.values[idx(frame)], color});
     }
     const ImVec4 place = plot_place(i - 1, size_of(plots) - 1, {min.x + 4.0f, min.y}, max, kLeastPlotWidth);
     const std::string title = plots[idx(i)].title();
@@ -252,7 +257,7 @@ void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_w
   if (!context.analysis.problem().empty() || context.analysis.plots().empty()) {
     ImGui::SetCursorScreenPos({top.x + kLabelInset, top.y + kLabelInset});
     const std::string& problem = context.analysis.problem();
-    ui::elided_text(context, problem.empty() ? "Nothing is plotted. Add a plot." : problem, max.x - min.x - 2.0f * kLabelInset,
+    ui::elided_text(context, problem.empty() ? why_nothing(context) : problem, max.x - min.x - 2.0f * kLabelInset,
                     problem.empty() ? context.theme.dim_text : context.theme.warning);
     context.items.add_last("plots.problem", problem);
     return;

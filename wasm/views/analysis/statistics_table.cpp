@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "core/signal/range_statistics.h"
@@ -31,7 +32,9 @@ void draw_header(ViewContext& context) {
 }
 
 void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, int row) {
-  const auto found = find_range_statistics(line.values, context.session.playback.range());
+  const FrameRange asked = context.session.playback.range();
+  const FrameIndex first = std::min(asked.first, size_of(line.values));
+  const auto found = find_range_statistics(line.values, {first, std::min(asked.end(), size_of(line.values)) - first});
   const double frame_time = context.session.document.motion().frame_time_s();
   const auto time_of = [&](FrameIndex frame) { return SmallText("{:.3f} s", frame * frame_time); };
   ImGui::TableNextRow();

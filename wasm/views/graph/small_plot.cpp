@@ -73,35 +73,62 @@ void draw_axes(ViewContext& context, const SmallPlot& plot, const PlotArea& area
   list.AddText(context.fonts.mono, size, {area.max.x - unit_width, area.max.y + 3.0f}, theme.dim_text, unit.c_str());
 }
 
+/// The points of a curve within one column of pixels: the first, the lowest, the highest and the last, in their order.
+struct ColumnPoints {
+  int column = 0;
+  int count = 0;
+  int low_at = 0;
+  int high_at = 0;
+  float first = 0.0f;
+  float low = 0.0f;
+  float high = 0.0f;
+  float last = 0.0f;
+
+  void add(float y) {
+    if (count == 0) first = low = high = y;
+    if (y > low) {
+      low = y;
+      low_at = count;
+    }
+    if (y < high) {
+      high = y;
+      high_at = count;
+    }
+    last = y;
+    ++count;
+  }
+  void draw(ImDrawList& list, float x) const {
+    list.PathLineTo({x, first});
+    if (count < 2) return;
+    list.PathLineTo({x, low_at < high_at ? low : high});
+    list.PathLineTo({x, low_at < high_at ? high : low});
+    list.PathLineTo({x, last});
+  }
+};
+
 // As many points to a pixel as there are become the extent of that pixel.
 void draw_curve(const PlotCurve& curve, const PlotArea& area) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.PathClear();
-  int column = -1;
-  float low = 0.0f;
-  float high = 0.0f;
+  ColumnPoints column;
+  float x_first = 0.0f;
   const auto close_column = [&] {
-    if (column < 0) return;
-    const float x = static_cast<float>(column);
-    list.PathLineTo({x, high});
-    if (low - high > 0.5f) list.PathLineTo({x, low});
+    if (column.count > 0) column.draw(list, x_first);
+    column = {};
   };
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (!std::isfinite(curve.y[i])) {
+    if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) {
       close_column();
       list.PathStroke(curve.color, 0, curve.width);
-      column = -1;
       continue;
     }
     const float x = area.x_of(curve.x[i]);
-    const float y = area.axis.y_of(curve.y[i]);
-    if (static_cast<int>(x) != column) {
-      close_column();
-      column = static_cast<int>(x);
-      low = high = y;
+    if (column.count > 0 && static_cast<int>(x) != column.column) close_column();
+    if (column.count == 0) {
+      column.column = static_cast<int>(x);
+      x_first = x;
     }
-    low = std::max(low, y);
-    high = std::min(high, y);
+    column.add(area.axis.y_of(curve.y[i]));
   }
   close_column();
   list.PathStroke(curve.color, 0, curve.width);

@@ -190,9 +190,9 @@ void BodyArrows::add_body_arrows(ViewContext& context, const ViewportState& view
 
 void BodyArrows::add(ViewContext& context, const ViewportState& viewport, Scene& scene) {
   legends_.clear();
-  if (!context.options.shown_arrows.any()) return;
+  if (!context.options.shown_arrows.any() || viewport.figure.empty()) return;
   follow_analysis(context);
-  if (!context.analysis.problem().empty()) return;
+  if (!context.analysis.is_of(context.clip_serial) || !context.analysis.problem().empty()) return;
   follow(context, viewport);
   if (context.options.shown_arrows.com) add_com(context, viewport, scene);
   for (const BodyArrow kind : {BodyArrow::Velocity, BodyArrow::Acceleration, BodyArrow::Force, BodyArrow::Torque}) {
