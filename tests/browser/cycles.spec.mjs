@@ -52,6 +52,7 @@ const files = [
 test.use({ viewport: { width: 400, height: 300 } });
 
 test(`a thousand files leave the memory as it was`, async ({ marey, page }, testInfo) => {
+  test.setTimeout(240_000);
   await page.addInitScript(countGlObjects);
   await marey.goto();
   const session = await page.context().newCDPSession(page);
