@@ -21,7 +21,7 @@ Error refusal(std::string message) { return {DiagnosticCode::InvalidArgument, {}
 AnalysisColumn make_column(const AskedQuantity& asked, char component) {
   const std::string_view unit = asked.quantity->unit;
   std::string name = component == 0 ? fmt::format("{}[{}]", asked.label, unit) : fmt::format("{}.{}[{}]", asked.label, component, unit);
-  return {std::move(name), asked.label, asked.node, component, unit, {}};
+  return {std::move(name), asked.quantity, asked.node, component, {}};
 }
 
 /// All that columns are made of; mechanics only where the request needs them.

@@ -25,10 +25,9 @@ struct AnalysisRequest {
 /// One number per frame.
 struct AnalysisColumn {
   std::string name;            ///< with its unit: "torque:Body.x[N.m]"
-  std::string label;           ///< of what was asked for: "torque:Body"
+  const Quantity* quantity = nullptr;
   NodeIndex node = kNoParent;  ///< of whom; kNoParent for the whole body
   char component = 0;          ///< 'x', 'y' or 'z'; 0 for a quantity without direction
-  std::string_view unit;       ///< "N.m"
   std::vector<double> values;  ///< not a number where the value is not defined
 };
 

@@ -31,7 +31,7 @@ struct Plausibility {
 /// Errors: those of find_body_motion().
 [[nodiscard]] Result<Plausibility> judge(const Clip& clip, const BodyModel& model, const Derivation& derivation);
 
-/// The findings in sentences that say what to look at: what is as it should be first. For people.
+/// The findings in sentences for people: stature, energy, flight, floor. What is not as it should be says what to look at.
 [[nodiscard]] std::vector<std::string> describe(const Plausibility& found, double frame_time_s);
 
 }  // namespace marey

@@ -59,18 +59,23 @@ Status add_owners(const Skeleton& skeleton, const Quantity& quantity, std::strin
 
 std::span<const Quantity> quantities() { return kQuantities; }
 
+const Quantity* find_quantity(std::string_view name) {
+  const auto found = std::find_if(kQuantities.begin(), kQuantities.end(), [&](const Quantity& q) { return q.name == name; });
+  return found == kQuantities.end() ? nullptr : &*found;
+}
+
 Result<std::vector<AskedQuantity>> find_quantities(const Skeleton& skeleton, std::span<const std::string> texts) {
   std::vector<AskedQuantity> asked;
   for (const std::string& text : texts) {
     const std::size_t colon = text.find(':');
     const std::string_view name = std::string_view(text).substr(0, colon);
-    const auto found = std::find_if(kQuantities.begin(), kQuantities.end(), [&](const Quantity& q) { return q.name == name; });
-    if (found == kQuantities.end()) return refusal(fmt::format("'{}' is not a quantity; there are {}.", name, known_names()), name);
+    const Quantity* found = find_quantity(name);
+    if (found == nullptr) return refusal(fmt::format("'{}' is not a quantity; there are {}.", name, known_names()), name);
     if (colon == std::string::npos) {
       if (found->owner == Owner::Point || found->owner == Owner::Joint) {
         return refusal(fmt::format("'{0}' is of a joint: write {0}:JOINT, or {0}:* for all.", name), name);
       }
-      asked.push_back({&*found, kNoParent, std::string(name)});
+      asked.push_back({found, kNoParent, std::string(name)});
       continue;
     }
     if (found->owner == Owner::Body) return refusal(fmt::format("'{}' is of the whole body; no joint stands behind it.", name), name);

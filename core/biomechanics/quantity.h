@@ -41,6 +41,8 @@ struct Quantity {
 
 /// All that there are.
 [[nodiscard]] std::span<const Quantity> quantities();
+/// The one of a name; null for an unknown one.
+[[nodiscard]] const Quantity* find_quantity(std::string_view name);
 
 /// One quantity of one owner.
 struct AskedQuantity {

@@ -9,6 +9,10 @@
 namespace marey {
 namespace {
 
+// In the order of SupportKind.
+constexpr std::array<std::pair<std::string_view, SupportKind>, 4> kKinds = {
+    {{"pivot", SupportKind::Pivot}, {"flight", SupportKind::Flight}, {"ground", SupportKind::Ground}, {"auto", SupportKind::Auto}}};
+
 glm::dvec3 unit_of(Axis axis) {
   glm::dvec3 unit(0.0);
   unit[static_cast<int>(axis)] = 1.0;
@@ -157,10 +161,10 @@ std::vector<OuterForce> share_out(const GroundReaction& reaction, const BodyStat
 }
 
 const SupportKind* find_support_kind(std::string_view name) {
-  static constexpr std::array<std::pair<std::string_view, SupportKind>, 4> kKinds = {
-      {{"pivot", SupportKind::Pivot}, {"flight", SupportKind::Flight}, {"ground", SupportKind::Ground}, {"auto", SupportKind::Auto}}};
   const auto found = std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& kind) { return kind.first == name; });
   return found == kKinds.end() ? nullptr : &found->second;
 }
+
+std::string_view support_name(SupportKind kind) { return kKinds[static_cast<std::size_t>(kind)].first; }
 
 }  // namespace marey

@@ -67,5 +67,6 @@ struct GroundReaction {
 
 /// Null for an unknown name: "pivot", "flight", "ground", "auto".
 [[nodiscard]] const SupportKind* find_support_kind(std::string_view name);
+[[nodiscard]] std::string_view support_name(SupportKind kind);
 
 }  // namespace marey

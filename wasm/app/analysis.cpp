@@ -54,10 +54,10 @@ AskedQuantity asked_of(const Skeleton& skeleton, const Quantity& quantity, NodeI
 std::vector<PlotLine> lines_of(const AnalysisTable& table, const AnalysisPlot& plot, NodeIndex node) {
   std::vector<PlotLine> lines;
   for (const AnalysisColumn& column : table.columns) {
-    if (column.node != node || std::string_view(column.label).substr(0, column.label.find(':')) != plot.choice.quantity->name) continue;
+    if (column.node != node || column.quantity != plot.choice.quantity) continue;
     if (std::any_of(lines.begin(), lines.end(), [&](const PlotLine& line) { return line.component == column.component; })) continue;
     PlotLine line{column.component, column.values};
-    const ShownUnit* unit = find_unit(column.unit);
+    const ShownUnit* unit = find_unit(column.quantity->unit);
     if (unit != nullptr && unit->is_angle) {
       for (double& value : line.values) value = to_degrees(value);
     }
@@ -134,12 +134,6 @@ JointIndex find_plotted_joint(const Session& session) {
   return first;
 }
 
-const Quantity* find_quantity(std::string_view name) {
-  const std::span<const Quantity> all = quantities();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Quantity& quantity) { return quantity.name == name; });
-  return found == all.end() ? nullptr : &*found;
-}
-
 bool is_of_joint(const Quantity& quantity) {
   return quantity.owner == QuantityOwner::Point || quantity.owner == QuantityOwner::Joint;
 }
@@ -164,8 +158,7 @@ void Analysis::set_choices(std::vector<PlotChoice> choices) {
 
 std::span<const double> Analysis::column(std::string_view quantity, NodeIndex node, char component) const {
   for (const AnalysisColumn& column : table_.columns) {
-    if (column.node != node || column.component != component) continue;
-    if (std::string_view(column.label).substr(0, column.label.find(':')) == quantity) return column.values;
+    if (column.node == node && column.component == component && column.quantity->name == quantity) return column.values;
   }
   return {};
 }

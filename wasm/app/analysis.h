@@ -143,8 +143,6 @@ class Analysis {
 
 /// The joint that plots of the active joint are of: that, or without one the first that turns, below the root if there is any.
 [[nodiscard]] JointIndex find_plotted_joint(const Session& session);
-/// The quantity of a name; null for an unknown one.
-[[nodiscard]] const Quantity* find_quantity(std::string_view name);
 /// Whether a quantity is of a joint, so that it can be that of the active one.
 [[nodiscard]] bool is_of_joint(const Quantity& quantity);
 /// For people: "°/s" for "rad/s", "N·m" for "N.m".

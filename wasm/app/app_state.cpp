@@ -138,10 +138,9 @@ json analysis_state(const Workspace& workspace) {
                      {"values", line_values(plot.lines, workspace.session.playback.frame())},
                      {"bands", band_values(plot.bands, workspace.session.playback.frame())}});
   }
-  constexpr const char* kSupports[] = {"pivot", "flight", "ground", "auto"};
   return {{"plots", std::move(plots)},
           {"derivative", describe(analysis.derivation)},
-          {"support", kSupports[static_cast<int>(analysis.support)]},
+          {"support", support_name(analysis.support)},
           {"problem", optional_text(analysis.problem())},
           {"notes", analysis.notes()}};
 }

@@ -13,8 +13,7 @@ namespace {
 bool is_plotted(const Analysis& analysis, const AnalysisColumn& column) {
   const std::span<const AnalysisPlot> plots = analysis.plots();
   return std::any_of(plots.begin(), plots.end(), [&](const AnalysisPlot& plot) {
-    return plot.problem.empty() && plot.node == column.node &&
-           std::string_view(column.label).substr(0, column.label.find(':')) == plot.choice.quantity->name;
+    return plot.problem.empty() && plot.node == column.node && plot.choice.quantity == column.quantity;
   });
 }
 
@@ -23,11 +22,10 @@ bool is_plotted(const Analysis& analysis, const AnalysisColumn& column) {
 std::string write_plots_csv(const Session& session, const Analysis& analysis, std::string_view file_bytes) {
   const Document& document = session.document;
   const FrameRange range = session.playback.range();
-  constexpr std::string_view kSupports[] = {"pivot", "flight", "ground", "auto"};
   std::string text = fmt::format("# file: {}\n# sha256: {}\n# frames: {} to {}, {} s each\n# derivative: {}\n# support: {}\n# metres per unit: {}\n",
                                  ui::displayable(document.file_name()), sha256_hex(file_bytes), range.first + 1, range.end(),
                                  document.motion().frame_time_s(), describe(analysis.derivation),
-                                 kSupports[static_cast<int>(analysis.support)], document.settings().metres_per_unit);
+                                 support_name(analysis.support), document.settings().metres_per_unit);
   if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
   for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);
   std::vector<NumberColumn> columns;
