@@ -3,6 +3,8 @@
 #include <cfloat>
 #include <cstdio>
 #include <cstring>
+#include <stdexcept>
+#include <string>
 
 namespace marey::app {
 namespace {
@@ -42,10 +44,7 @@ ImFont* add_face(const std::vector<std::byte>& file, const char* name) {
   ImFontConfig config;
   config.OversampleH = 2;
   std::snprintf(config.Name, sizeof config.Name, "%s", name);
-  if (file.empty()) {
-    config.SizePixels = Fonts::kTextSize;
-    return atlas.AddFontDefault(&config);
-  }
+  if (file.empty()) throw std::runtime_error(std::string("There is no file with the face for ") + name + ".");
   return atlas.AddFontFromMemoryTTF(copied_for_imgui(file), static_cast<int>(file.size()), Fonts::kTextSize, &config);
 }
 

@@ -19,7 +19,7 @@ struct Fonts {
   static constexpr float kEmOfLine = 0.83f;
 };
 
-/// File contents (TrueType) handed over by the page; an empty one falls back to ImGui's own font.
+/// File contents (TrueType) handed over by the page. The first three must be there; without icons there are none.
 struct FontFiles {
   std::vector<std::byte> text;
   std::vector<std::byte> semibold;
@@ -29,7 +29,8 @@ struct FontFiles {
   const ImFontLoader* other_letters = nullptr;
 };
 
-/// Adds the faces to the current ImGui context. The files may be released afterwards.
+/// Adds the faces to the current ImGui context. The files may be released afterwards. Throws std::runtime_error where a face is
+/// missing.
 [[nodiscard]] Fonts add_fonts(const FontFiles& files);
 
 }  // namespace marey::app
