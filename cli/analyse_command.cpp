@@ -15,7 +15,7 @@
 #include "cli/table_output.h"
 #include "core/biomechanics/body_guess.h"
 #include "core/biomechanics/body_model_json.h"
-#include "core/biomechanics/quantity.h"
+#include "core/biomechanics/asked_quantity.h"
 #include "core/document/document.h"
 
 namespace marey::cli {
@@ -131,19 +131,19 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
   CLI::App* command = program.add_subcommand("analyse", "Write quantities of kinematics and mechanics as CSV, in SI units");
   add_input(*command, options->input);
   command->add_option("-q,--quantities", options->quantities,
-                      "What to write, apart by commas: " + quantity_list() + "; J is a joint, * is all")
+                      "What to write, apart by commas: " + quantity_list() + "; J is a joint, * is all; J+X/Y/Z is a point fixed to it, @FRAME behind it a frame of reference")
       ->required()
       ->expected(1)
       ->take_all();
   command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
   CLI::Option* body = command->add_option("--body", options->body, "Masses by a table, by the names of the joints and the lengths of the bones")
-                          ->check(CLI::IsMember({"deleva-male", "deleva-female", "rods"}))
+                          ->check(CLI::IsMember({"deleva-male", "deleva-female", "winter", "rods"}))
                           ->excludes("--model");
   command->add_option("--mass", options->mass_kg, "Mass of the body in kg, for --body")->check(CLI::Range(1e-3, 1e4))->needs(body);
   command->add_option("--support", options->support, "What holds the body")
       ->check(CLI::IsMember({"pivot", "flight", "ground", "auto"}))
       ->capture_default_str();
-  command->add_option("--derivative", options->derivative, "central, butterworth:HZ, savgol:WINDOW,DEGREE or gcv")
+  command->add_option("--derivative", options->derivative, "central, butterworth:HZ, savgol:WINDOW,DEGREE, gcv, or spline:DEG,MM for a known noise")
       ->capture_default_str();
   command->add_option("--frame-time", options->frame_time_s, "Seconds per frame, in place of the file's")
       ->check(CLI::Range(1e-9, 1e9));

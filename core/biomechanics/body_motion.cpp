@@ -34,6 +34,23 @@ JointState state_of_point(const JointState& joint, const glm::dvec3& local_m) {
   return point;
 }
 
+JointState seen_from(const JointState& frame, const JointState& what) {
+  const glm::dquat turn = glm::conjugate(frame.rotation);
+  const glm::dvec3& w = frame.angular_velocity;
+  const glm::dvec3 place = what.position - frame.position;
+  const glm::dvec3 velocity = what.velocity - frame.velocity - glm::cross(w, place);
+  const glm::dvec3 spin = what.angular_velocity - w;
+  JointState seen;
+  seen.rotation = turn * what.rotation;
+  seen.angular_velocity = turn * spin;
+  seen.angular_acceleration = turn * (what.angular_acceleration - frame.angular_acceleration - glm::cross(w, spin));
+  seen.position = turn * place;
+  seen.velocity = turn * velocity;
+  seen.acceleration = turn * (what.acceleration - frame.acceleration - glm::cross(frame.angular_acceleration, place) -
+                              2.0 * glm::cross(w, velocity) - glm::cross(w, glm::cross(w, place)));
+  return seen;
+}
+
 Result<BodyMotion> find_body_motion(const Clip& clip, const Derivation& derivation, double frame_time_s, double metres_per_unit) {
   const Result<std::vector<JointTrack>> tracks = find_joint_tracks(clip, derivation, frame_time_s, metres_per_unit);
   if (!tracks) return tracks.error();

@@ -21,6 +21,10 @@ struct JointState {
 /// A point fixed to a joint, `local` metres from its origin in its axes: only position, velocity and acceleration are new.
 [[nodiscard]] JointState state_of_point(const JointState& joint, const glm::dvec3& local_m);
 
+/// A movement as it is seen from a moving frame, in its axes: also what the frame's own movement takes away or adds, such as
+/// centripetal and Coriolis terms. A default state as the frame is the world.
+[[nodiscard]] JointState seen_from(const JointState& frame, const JointState& what);
+
 /// The movement of a whole figure.
 struct BodyMotion {
   int joint_count = 0;

@@ -26,6 +26,17 @@ constexpr Proportions kFemale = {{{243.7, 0.0668, 1.0 - 0.4841, 0.271, 0.295, 0.
                                   {438.6, 0.0481, 0.4352, 0.267, 0.263, 0.092},
                                   {228.3, 0.0129, 0.5, 0.475, 0.475, 0.139}}};
 
+// The hand ends at the knuckle there, 86.2 mm from the wrist, here at the fingertip.
+constexpr double kKnuckle = 86.2 / 187.9;
+constexpr Proportions kWinter = {{{242.9, 0.081, kMale[0].com, 0.303, 0.315, 0.261},
+                                  {515.5, 0.497, 0.50, 0.384, 0.358, 0.197},
+                                  {281.7, 0.028, 0.436, 0.322, 0.322, 0.158},
+                                  {268.9, 0.016, 0.430, 0.303, 0.303, 0.121},
+                                  {187.9, 0.006, 0.506 * kKnuckle, 0.297 * kKnuckle, 0.297 * kKnuckle, 0.184 * kKnuckle},
+                                  {422.2, 0.100, 0.433, 0.323, 0.323, 0.149},
+                                  {440.3, 0.0465, 0.433, 0.302, 0.302, 0.102},
+                                  {258.1, 0.0145, 0.5, 0.475, 0.475, 0.124}}};
+
 /// A piece of the trunk in mm: lower end above mid hips, length, mass, centre from its upper end and radii of its length.
 constexpr TrunkPiece piece(double trunk_mm, double begin_mm, double length_mm, double mass, double com, double sagittal,
                            double transverse, double longitudinal) {
@@ -46,9 +57,15 @@ constexpr std::array<TrunkPiece, 3> kFemaleTrunk = {piece(497.9, 0.0, 181.5, 0.1
                                                     piece(497.9, 181.5, 205.3, 0.1465, 0.4512, 0.433, 0.354, 0.415),
                                                     piece(497.9, 386.8, 228.0, 0.1545, 0.5050, 0.466, 0.314, 0.449)};
 
+constexpr std::array<TrunkPiece, 3> kWinterTrunk = {piece(515.5, 0.0, 145.7, 0.142, 0.6115, 0.615, 0.551, 0.587),
+                                                    piece(515.5, 145.7, 215.5, 0.139, 0.4502, 0.482, 0.383, 0.468),
+                                                    piece(515.5, 361.2, 242.1, 0.216, 0.5066, 0.505, 0.320, 0.465)};
+
 // In the order of BodyTable.
-constexpr std::array<std::pair<std::string_view, BodyTable>, 3> kTables = {
-    {{"deleva-male", BodyTable::DeLevaMale}, {"deleva-female", BodyTable::DeLevaFemale}, {"rods", BodyTable::Rods}}};
+constexpr std::array<std::pair<std::string_view, BodyTable>, 4> kTables = {{{"deleva-male", BodyTable::DeLevaMale},
+                                                                             {"deleva-female", BodyTable::DeLevaFemale},
+                                                                             {"winter", BodyTable::Winter},
+                                                                             {"rods", BodyTable::Rods}}};
 
 }  // namespace
 
@@ -66,11 +83,12 @@ const BodyTable* find_body_table(std::string_view name) {
 std::string_view body_table_name(BodyTable table) { return kTables[static_cast<std::size_t>(table)].first; }
 
 const PartProportions& proportions_of(BodyTable table, BodyPart part) {
-  return (table == BodyTable::DeLevaFemale ? kFemale : kMale)[static_cast<std::size_t>(part)];
+  const Proportions& all = table == BodyTable::DeLevaFemale ? kFemale : table == BodyTable::Winter ? kWinter : kMale;
+  return all[static_cast<std::size_t>(part)];
 }
 
 const std::array<TrunkPiece, 3>& trunk_pieces_of(BodyTable table) {
-  return table == BodyTable::DeLevaFemale ? kFemaleTrunk : kMaleTrunk;
+  return table == BodyTable::DeLevaFemale ? kFemaleTrunk : table == BodyTable::Winter ? kWinterTrunk : kMaleTrunk;
 }
 
 double neck_height_mm(BodyTable table) { return table == BodyTable::DeLevaFemale ? 614.8 - 497.9 : 603.3 - 515.5; }

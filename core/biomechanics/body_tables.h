@@ -16,7 +16,7 @@ inline constexpr int kBodyPartCount = 8;
 /// "head", "upper arm" ...
 [[nodiscard]] std::string_view body_part_name(BodyPart part);
 
-/// Null for an unknown name: "deleva-male", "deleva-female", "rods".
+/// Null for an unknown name: "deleva-male", "deleva-female", "winter", "rods".
 [[nodiscard]] const BodyTable* find_body_table(std::string_view name);
 [[nodiscard]] std::string_view body_table_name(BodyTable table);
 
@@ -32,8 +32,9 @@ struct PartProportions {
 
 /// Ends of the parts: head from the seventh vertebra to the vertex (Head 2); trunk from mid hips to mid shoulders (Trunk 3);
 /// shank to the ankle joint (Shank 2); hand to the fingertip (Hand 2). The foot has de Leva's mass, but centre and radius
-/// of Winter (2009), half way from ankle to toe base and .475, as the heel is no joint of a BVH figure. Only of the tables by
-/// de Leva.
+/// of Winter (2009), half way from ankle to toe base and .475, as the heel is no joint of a BVH figure.
+/// Winter's table has no radii about the bone, none of the trunk, and the head's centre at the ear canal: those are de Leva's, as
+/// are the heights of the pieces of its trunk. Not of rods.
 [[nodiscard]] const PartProportions& proportions_of(BodyTable table, BodyPart part);
 
 /// Three pieces of a trunk, from mid hips to mid shoulders.

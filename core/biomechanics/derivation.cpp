@@ -27,6 +27,8 @@ std::optional<std::vector<double>> read_numbers(std::string_view text) {
 
 bool is_whole(double value, double least, double most) { return value == std::floor(value) && value >= least && value <= most; }
 
+bool is_positive(double value) { return value > 0.0 && std::isfinite(value); }
+
 }  // namespace
 
 Result<Derivation> parse_derivation(std::string_view text) {
@@ -40,8 +42,14 @@ Result<Derivation> parse_derivation(std::string_view text) {
   result.kind = DerivationKind::Gcv;
   if (name == "gcv" && numbers && count == 0) return result;
   result.kind = DerivationKind::Butterworth;
-  if (name == "butterworth" && count == 1 && (*numbers)[0] > 0.0 && std::isfinite((*numbers)[0])) {
+  if (name == "butterworth" && count == 1 && is_positive((*numbers)[0])) {
     result.cutoff_hz = (*numbers)[0];
+    return result;
+  }
+  result.kind = DerivationKind::Spline;
+  if (name == "spline" && count == 2 && is_positive((*numbers)[0]) && is_positive((*numbers)[1])) {
+    result.noise_deg = (*numbers)[0];
+    result.noise_mm = (*numbers)[1];
     return result;
   }
   result.kind = DerivationKind::SavitzkyGolay;
@@ -54,9 +62,9 @@ Result<Derivation> parse_derivation(std::string_view text) {
   return Error{DiagnosticCode::InvalidArgument,
                {},
                fmt::format("'{}' is not a way to differentiate: central, butterworth:HZ, savgol:WINDOW,DEGREE (an odd window of 3 or "
-                           "more frames, a degree from 2 on below it) or gcv.",
+                           "more frames, a degree from 2 on below it), gcv or spline:DEG,MM (the noise in angles and places).",
                            text),
-               "central, butterworth:HZ, savgol:N,P, gcv", std::string(text)};
+               "central, butterworth:HZ, savgol:N,P, gcv, spline:DEG,MM", std::string(text)};
 }
 
 int uncertain_end_frames(const Derivation& derivation, double rate_hz) {
@@ -65,7 +73,8 @@ int uncertain_end_frames(const Derivation& derivation, double rate_hz) {
     case DerivationKind::Central: return 1;
     case DerivationKind::Butterworth: return std::max(1, static_cast<int>(std::min(std::ceil(rate_hz / derivation.cutoff_hz), 1e6)));
     case DerivationKind::SavitzkyGolay: return std::max(1, derivation.window / 2);
-    case DerivationKind::Gcv: return kQuinticCoefficients;
+    case DerivationKind::Gcv:
+    case DerivationKind::Spline: return kQuinticCoefficients;
   }
   return 1;
 }
@@ -76,6 +85,7 @@ std::string describe(const Derivation& derivation) {
     case DerivationKind::Butterworth: return fmt::format("butterworth:{}", derivation.cutoff_hz);
     case DerivationKind::SavitzkyGolay: return fmt::format("savgol:{},{}", derivation.window, derivation.degree);
     case DerivationKind::Gcv: return "gcv";
+    case DerivationKind::Spline: return fmt::format("spline:{},{}", derivation.noise_deg, derivation.noise_mm);
   }
   return {};
 }

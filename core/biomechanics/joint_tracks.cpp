@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/kinematics/pose.h"
+#include "core/math/angle.h"
+#include "core/math/rotation_vector.h"
 #include "core/signal/butterworth.h"
 #include "core/signal/rotation_filter.h"
 #include "core/signal/savitzky_golay.h"
@@ -79,20 +81,6 @@ class Stencils {
   std::map<int, Stencil> known_;
 };
 
-/// The rotation vector of the short way.
-glm::dvec3 rotation_vector(const glm::dquat& q) {
-  const glm::dvec3 v(q.x, q.y, q.z);
-  const double sine = glm::length(v);
-  if (sine == 0.0) return glm::dvec3(0.0);
-  const double angle = 2.0 * std::atan2(sine, std::abs(q.w));
-  return v * ((q.w < 0.0 ? -angle : angle) / sine);
-}
-
-glm::dquat rotation_by(const glm::dvec3& vector) {
-  const double angle = glm::length(vector);
-  return angle == 0.0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::angleAxis(angle, vector / angle);
-}
-
 void differentiate_rotations(JointTrack& track, Stencils& stencils) {
   const std::vector<glm::dquat> given = track.rotations;
   for (FrameIndex frame = 0; frame < size_of(given); ++frame) {
@@ -155,33 +143,60 @@ void take_from_quaternions(JointTrack& track, const std::vector<glm::dquat>& fir
   }
 }
 
-void fit_rotation_splines(JointTrack& track, double rate_hz) {
+/// A spline through each of some curves that belong together: each with its own smoothing by cross-validation, or all with the
+/// one that leaves the noise of `noisy` independent curves.
+std::vector<SplineFit> fit_splines(const std::vector<std::vector<double>>& curves, const Derivation& derivation, double rate_hz,
+                                   double noise_rms, int noisy) {
+  std::vector<SplineFit> fits;
+  const double residual = noise_rms * noise_rms * noisy * static_cast<double>(curves[0].size());
+  const double lambda = derivation.kind == DerivationKind::Spline ? find_smoothing_for_residual(curves, rate_hz, residual) : 0.0;
+  for (const std::vector<double>& curve : curves) {
+    fits.push_back(derivation.kind == DerivationKind::Spline ? fit_smoothing_spline(curve, rate_hz, lambda)
+                                                             : fit_smoothing_spline(curve, rate_hz));
+  }
+  return fits;
+}
+
+void fit_rotation_splines(JointTrack& track, int channels, const Derivation& derivation, double rate_hz) {
   std::vector<glm::dquat>& rotations = track.rotations;
   for (std::size_t i = 1; i < rotations.size(); ++i) {
     if (glm::dot(rotations[i - 1], rotations[i]) < 0.0) rotations[i] = -rotations[i];
   }
+  std::vector<std::vector<double>> curves;
+  for (int c = 0; c < 4; ++c) curves.push_back(component_of(rotations, c));
+  // A small rotation has half its angle in a quaternion.
+  const auto fits = fit_splines(curves, derivation, rate_hz, 0.5 * to_radians(derivation.noise_deg), channels);
   std::vector<glm::dquat> first(rotations.size());
   std::vector<glm::dquat> second(rotations.size());
   for (int c = 0; c < 4; ++c) {
-    const SplineFit fit = fit_smoothing_spline(component_of(rotations, c), rate_hz);
     for (std::size_t i = 0; i < rotations.size(); ++i) {
-      rotations[i][c] = fit.values[i];
-      first[i][c] = fit.first[i];
-      second[i][c] = fit.second[i];
+      rotations[i][c] = fits[idx(c)].values[i];
+      first[i][c] = fits[idx(c)].first[i];
+      second[i][c] = fits[idx(c)].second[i];
     }
   }
   take_from_quaternions(track, first, second);
 }
 
-void fit_position_splines(PointTrack& track, double rate_hz) {
+void fit_position_splines(PointTrack& track, const Derivation& derivation, double rate_hz) {
+  std::vector<std::vector<double>> curves;
+  for (int c = 0; c < 3; ++c) curves.push_back(component_of(track.positions, c));
+  const auto moves = [](const std::vector<double>& curve) {
+    return std::any_of(curve.begin(), curve.end(), [&](double value) { return value != curve[0]; });
+  };
+  const auto noisy = static_cast<int>(std::count_if(curves.begin(), curves.end(), moves));
+  const auto fits = fit_splines(curves, derivation, rate_hz, 1e-3 * derivation.noise_mm, noisy);
   for (int c = 0; c < 3; ++c) {
-    const SplineFit fit = fit_smoothing_spline(component_of(track.positions, c), rate_hz);
-    for (std::size_t i = 0; i < fit.values.size(); ++i) {
-      track.positions[i][c] = fit.values[i];
-      track.velocities[i][c] = fit.first[i];
-      track.accelerations[i][c] = fit.second[i];
+    for (std::size_t i = 0; i < track.positions.size(); ++i) {
+      track.positions[i][c] = fits[idx(c)].values[i];
+      track.velocities[i][c] = fits[idx(c)].first[i];
+      track.accelerations[i][c] = fits[idx(c)].second[i];
     }
   }
+}
+
+bool is_spline(const Derivation& derivation) {
+  return derivation.kind == DerivationKind::Gcv || derivation.kind == DerivationKind::Spline;
 }
 
 CurveFilter butterworth_filter(const Derivation& derivation, double rate_hz) {
@@ -190,11 +205,11 @@ CurveFilter butterworth_filter(const Derivation& derivation, double rate_hz) {
   };
 }
 
-void differentiate(JointTrack& track, const Derivation& derivation, double rate_hz) {
+void differentiate(JointTrack& track, int channels, const Derivation& derivation, double rate_hz) {
   track.angular_velocities.assign(track.rotations.size(), glm::dvec3(0.0));
   track.angular_accelerations = track.angular_velocities;
-  if (derivation.kind == DerivationKind::Gcv) {
-    fit_rotation_splines(track, rate_hz);
+  if (is_spline(derivation)) {
+    fit_rotation_splines(track, channels, derivation, rate_hz);
   } else {
     // So far back the filter remembers.
     const int reach = static_cast<int>(std::min(5.2 * rate_hz / derivation.cutoff_hz, 1e8));
@@ -237,7 +252,7 @@ Status check(const Clip& clip, const Derivation& derivation, double rate_hz) {
     return refusal(fmt::format("The cut-off is below half the frame rate, {:.4g} Hz, not {:.4g}.", 0.5 * rate_hz, derivation.cutoff_hz));
   }
   const int needed = derivation.kind == DerivationKind::SavitzkyGolay ? derivation.window
-                     : derivation.kind == DerivationKind::Gcv         ? kLeastOfSpline
+                     : is_spline(derivation)                            ? kLeastOfSpline
                                                                       : 0;
   if (frames >= needed) return {};
   return refusal(fmt::format("'{}' needs {} frames; the clip has {}.", describe(derivation), needed, frames));
@@ -250,8 +265,8 @@ PointTrack differentiate_path(std::vector<glm::dvec3> positions, const Derivatio
   track.positions = std::move(positions);
   track.velocities.assign(track.positions.size(), glm::dvec3(0.0));
   track.accelerations = track.velocities;
-  if (derivation.kind == DerivationKind::Gcv) {
-    fit_position_splines(track, rate_hz);
+  if (is_spline(derivation)) {
+    fit_position_splines(track, derivation, rate_hz);
     return track;
   }
   if (derivation.kind == DerivationKind::Butterworth) filter_positions(track.positions, butterworth_filter(derivation, rate_hz));
@@ -265,7 +280,11 @@ Result<std::vector<JointTrack>> find_joint_tracks(const Clip& clip, const Deriva
   const double rate_hz = 1.0 / frame_time_s;
   if (Status status = check(clip, derivation, rate_hz); !status) return status.error();
   std::vector<JointTrack> tracks = read_tracks(clip, metres_per_unit);
-  for (JointTrack& track : tracks) differentiate(track, derivation, rate_hz);
+  for (JointIndex joint = 0; joint < size_of(tracks); ++joint) {
+    const auto channels = clip.skeleton.channels(joint);
+    const auto turning = std::count_if(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
+    differentiate(tracks[idx(joint)], static_cast<int>(turning), derivation, rate_hz);
+  }
   return tracks;
 }
 

@@ -2,18 +2,14 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
-
-#include "core/base/result.h"
-#include "core/skeleton/skeleton.h"
 
 namespace marey {
 
 enum class QuantityKind : std::uint8_t {
-  Position, Velocity, Acceleration, Angle, AngularVelocity, AngularAcceleration, Force, Torque, Power, Com, ComVelocity,
-  Momentum, AngularMomentum, KineticEnergy, PotentialEnergy, Reaction, CentreOfPressure,
+  Position, Velocity, Acceleration, PathLength, Angle, AngleRate, RotationAngle, RotationAxis, PlaneAngle, IncludedAngle,
+  AngularVelocity, AngularAcceleration, SegmentCom, SegmentComVelocity, SegmentComAcceleration, Force, Torque, Power, Work, Com,
+  ComVelocity, Momentum, AngularMomentum, KineticEnergy, PotentialEnergy, Energy, Reaction, CentreOfPressure, ZeroMomentPoint,
 };
 
 /// How often the pose has to be differentiated for a quantity.
@@ -27,12 +23,21 @@ enum class QuantityOwner : std::uint8_t {
   BodyOrJoint,  ///< of the whole body, or with regard to a joint
 };
 
+/// What is asked of the pose for a quantity, and what another frame of reference makes of it.
+enum class QuantitySight : std::uint8_t {
+  Place,     ///< a place, or how it changes: seen from the origin of the frame, in its axes, as it moves
+  Rotation,  ///< a rotation, or how it changes: against the frame, in its axes
+  Arrow,     ///< turned into the axes of the frame
+  None,      ///< the same from everywhere
+};
+
 /// A quantity as a value; one table has them all.
 struct Quantity {
   std::string_view name;
   QuantityKind kind = QuantityKind::Position;
   QuantityOwner owner = QuantityOwner::Body;
   DerivativeLevel level = DerivativeLevel::Pose;
+  QuantitySight sight = QuantitySight::None;
   bool needs_body = false;  ///< masses
   bool is_vector = true;
   std::string_view unit;
@@ -43,17 +48,5 @@ struct Quantity {
 [[nodiscard]] std::span<const Quantity> quantities();
 /// The one of a name; null for an unknown one.
 [[nodiscard]] const Quantity* find_quantity(std::string_view name);
-
-/// One quantity of one owner.
-struct AskedQuantity {
-  const Quantity* quantity = nullptr;
-  NodeIndex node = kNoParent;  ///< kNoParent for the whole body
-  std::string label;           ///< "torque:Body", "com"
-};
-
-/// "NAME" or "NAME:JOINT", '*' for every joint, or every joint and end site where the quantity is of points. Names as
-/// node_label() gives them; of joints of one name the first is meant. Refused with InvalidArgument: a quantity or joint that
-/// there is not, a missing or a needless joint; the message names what could stand there.
-[[nodiscard]] Result<std::vector<AskedQuantity>> find_quantities(const Skeleton& skeleton, std::span<const std::string> texts);
 
 }  // namespace marey

@@ -12,6 +12,7 @@ namespace marey {
 enum class BodyTable : std::uint8_t {
   DeLevaMale,    ///< P. de Leva 1996, J. Biomech. 29(9):1223-1230, table 4
   DeLevaFemale,
+  Winter,        ///< D. A. Winter 2009, Biomechanics and Motor Control of Human Movement, table 4.1, after Dempster
   Rods,          ///< every bone a uniform rod whose mass goes with its length, whatever the figure
 };
 

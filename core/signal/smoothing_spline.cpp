@@ -152,15 +152,17 @@ double validation(std::span<const double> curve, const Fit& fit) {
   return n * fit.residual / (left * left);
 }
 
+// Of lambda in units of frames, to the base of ten: from a curve through all samples to a parabola.
+constexpr double kLeastExponent = -8.0;
+constexpr double kMostExponent = 12.0;
+
 /// Where a function of log10(lambda) is least, by a coarse look and golden sections about the best place.
 template <class Function>
 double least_of(const Function& function) {
-  constexpr double kFrom = -8.0;
-  constexpr double kTo = 12.0;
   constexpr double kStep = 0.5;
-  double best = kFrom;
-  double least = function(kFrom);
-  for (double at = kFrom + kStep; at <= kTo; at += kStep) {
+  double best = kLeastExponent;
+  double least = function(kLeastExponent);
+  for (double at = kLeastExponent + kStep; at <= kMostExponent; at += kStep) {
     const double value = function(at);
     if (value < least) {
       least = value;
@@ -199,6 +201,19 @@ SplineFit fit_smoothing_spline(std::span<const double> curve, double rate_hz, st
     return noise_rms ? std::abs(fit.residual - wanted) : validation(curve, fit);
   });
   return fit_smoothing_spline(curve, rate_hz, std::pow(10.0, exponent) / std::pow(rate_hz, 5.0));
+}
+
+double find_smoothing_for_residual(std::span<const std::vector<double>> curves, double rate_hz, double residual) {
+  double low = kLeastExponent;
+  double high = kMostExponent;
+  // What is left over grows with lambda.
+  while (high - low > 1e-4) {
+    const double middle = 0.5 * (low + high);
+    double left = 0.0;
+    for (const std::vector<double>& curve : curves) left += solve(curve, std::pow(10.0, middle), false).residual;
+    (left < residual ? low : high) = middle;
+  }
+  return std::pow(10.0, 0.5 * (low + high)) / std::pow(rate_hz, 5.0);
 }
 
 }  // namespace marey

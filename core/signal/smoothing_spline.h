@@ -26,4 +26,8 @@ struct SplineFit {
 [[nodiscard]] SplineFit fit_smoothing_spline(std::span<const double> curve, double rate_hz,
                                              std::optional<double> noise_rms = std::nullopt);
 
+/// The lambda with which the residuals of all curves together, squared and summed, come to `residual`: for noise that is the
+/// same in each. The nearest that there is where no lambda leaves so much, or so little. Preconditions as above, for each curve.
+[[nodiscard]] double find_smoothing_for_residual(std::span<const std::vector<double>> curves, double rate_hz, double residual);
+
 }  // namespace marey

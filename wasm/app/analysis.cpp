@@ -45,19 +45,13 @@ NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::st
   return kNoParent;
 }
 
-AskedQuantity asked_of(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
-  std::string label(quantity.name);
-  if (node != kNoParent) label += ":" + node_label(skeleton, node);
-  return {&quantity, node, std::move(label)};
-}
-
-std::vector<PlotLine> lines_of(const AnalysisTable& table, const AnalysisPlot& plot, NodeIndex node) {
+std::vector<PlotLine> lines_of(const AnalysisTable& table, const AskedQuantity& asked) {
   std::vector<PlotLine> lines;
   for (const AnalysisColumn& column : table.columns) {
-    if (column.node != node || column.quantity != plot.choice.quantity) continue;
+    if (!asks_the_same(column.asked, asked)) continue;
     if (std::any_of(lines.begin(), lines.end(), [&](const PlotLine& line) { return line.component == column.component; })) continue;
     PlotLine line{column.component, column.values};
-    const ShownUnit* unit = find_unit(column.quantity->unit);
+    const ShownUnit* unit = find_unit(column.asked.quantity->unit);
     if (unit != nullptr && unit->is_angle) {
       for (double& value : line.values) value = to_degrees(value);
     }
@@ -71,12 +65,11 @@ bool needs_body(std::span<const AnalysisPlot> plots) {
   return std::any_of(plots.begin(), plots.end(), [](const AnalysisPlot& plot) { return plot.choice.quantity->needs_body; });
 }
 
-std::vector<AskedQuantity> asked_by(const Skeleton& skeleton, std::span<const AnalysisPlot> plots) {
+std::vector<AskedQuantity> asked_by(std::span<const AnalysisPlot> plots) {
   std::vector<AskedQuantity> asked;
   for (const AnalysisPlot& plot : plots) {
-    const Quantity& quantity = *plot.choice.quantity;
-    const bool is_new = std::none_of(asked.begin(), asked.end(), [&](const AskedQuantity& a) { return a.quantity == &quantity && a.node == plot.node; });
-    if (is_new && plot.problem.empty()) asked.push_back(asked_of(skeleton, quantity, plot.node));
+    const bool is_new = std::none_of(asked.begin(), asked.end(), [&](const AskedQuantity& a) { return asks_the_same(a, plot.asked); });
+    if (is_new && plot.problem.empty()) asked.push_back(plot.asked);
   }
   return asked;
 }
@@ -93,7 +86,8 @@ std::vector<Derivation> neighbours_of(const Derivation& derivation) {
       neighbours[1].window += 2;
       return neighbours;
     case DerivationKind::Central:
-    case DerivationKind::Gcv: break;
+    case DerivationKind::Gcv:
+    case DerivationKind::Spline: break;
   }
   return {{.kind = DerivationKind::SavitzkyGolay, .window = 5, .degree = 2}};
 }
@@ -143,6 +137,14 @@ std::string_view shown_unit(std::string_view unit) {
   return found == nullptr ? unit : found->shown;
 }
 
+std::string AnalysisPlot::whose() const {
+  std::string text = owner;
+  const glm::dvec3& point = asked.point_m;
+  if (point != glm::dvec3(0.0)) text += fmt::format(" +{}/{}/{}", point.x, point.y, point.z);
+  if (!choice.frame.empty()) text += " in " + choice.frame;
+  return text;
+}
+
 std::string AnalysisPlot::title() const { return fmt::format("{} [{}]", choice.quantity->label, unit); }
 
 std::vector<PlotChoice> Analysis::usual_choices() {
@@ -158,7 +160,7 @@ void Analysis::set_choices(std::vector<PlotChoice> choices) {
 
 std::span<const double> Analysis::column(std::string_view quantity, NodeIndex node, char component) const {
   for (const AnalysisColumn& column : table_.columns) {
-    if (column.node == node && column.component == component && column.quantity->name == quantity) return column.values;
+    if (column.asked.node == node && column.component == component && column.asked.quantity->name == quantity) return column.values;
   }
   return {};
 }
@@ -176,17 +178,27 @@ void Analysis::add_arrows(AnalysisRequest& request) const {
   if (key_.arrows.shows(BodyArrow::Reaction)) request.quantities.insert(request.quantities.end(), {"reaction", "cop"});
 }
 
+// A plot that follows the selection comes to joints that its point or its frame do not go with.
+void Analysis::find_asked(const Skeleton& skeleton, AnalysisPlot& plot) {
+  if (!plot.problem.empty()) return;
+  const bool has_point = plot.choice.quantity->owner == QuantityOwner::Point && plot.node != kNoParent && !skeleton.node(plot.node).is_end_site;
+  Result<AskedQuantity> asked = ask_for(skeleton, *plot.choice.quantity, plot.node, has_point ? plot.choice.point_m : glm::dvec3(0.0), plot.choice.frame);
+  if (asked) plot.asked = std::move(*asked);
+  else plot.problem = asked.error().message;
+}
+
 void Analysis::make_plots(const Session& session) {
   const Skeleton& skeleton = session.document.skeleton();
   plots_.clear();
   for (const PlotChoice& choice : choices_) {
-    AnalysisPlot plot{.choice = choice, .problem = {}, .owner = "whole body", .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
+    AnalysisPlot plot{.choice = choice, .problem = {}, .owner = "whole body", .asked = {}, .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
     if (is_of_joint(*choice.quantity) || !choice.owner.empty()) {
       const bool follows = choice.owner.empty() && key_.joint != kNoParent;
       plot.node = follows ? skeleton.node_of(key_.joint) : find_owner(skeleton, *choice.quantity, choice.owner);
       if (plot.node == kNoParent) plot.problem = choice.owner + " is not in this figure";
       plot.owner = plot.node == kNoParent ? choice.owner : node_label(skeleton, plot.node);
     }
+    find_asked(skeleton, plot);
     plots_.push_back(std::move(plot));
   }
 }
@@ -196,7 +208,7 @@ void Analysis::add_raw(const Clip& clip, AnalysisRequest request) {
   const Result<AnalysisTable> raw = analyse(clip, request);
   if (!raw) return;
   for (AnalysisPlot& plot : plots_) {
-    if (plot.choice.quantity->level != DerivativeLevel::Pose && plot.problem.empty()) plot.raw = lines_of(*raw, plot, plot.node);
+    if (plot.choice.quantity->level != DerivativeLevel::Pose && plot.problem.empty()) plot.raw = lines_of(*raw, plot.asked);
   }
 }
 
@@ -238,7 +250,7 @@ void Analysis::add_bands(const Clip& clip, const AnalysisRequest& request) {
     const Result<AnalysisTable> table = analyse(clip, variant);
     if (!table) continue;
     for (AnalysisPlot& plot : plots_) {
-      for (const PlotLine& line : lines_of(*table, plot, plot.node)) {
+      for (const PlotLine& line : lines_of(*table, plot.asked)) {
         const auto band = std::find_if(plot.bands.begin(), plot.bands.end(), [&](const PlotBand& b) { return b.component == line.component; });
         if (band != plot.bands.end()) widen(*band, line.values);
       }
@@ -261,8 +273,10 @@ void Analysis::add_other(const Motion& motion, AnalysisRequest request) {
       const Quantity& quantity = *plots_[i].choice.quantity;
       const NodeIndex node = plots_[i].node == kNoParent ? kNoParent : find_owner(other.skeleton, quantity, plots_[i].owner);
       if (!plots_[i].problem.empty() || (plots_[i].node != kNoParent && node == kNoParent)) continue;
-      request.asked = {asked_of(other.skeleton, quantity, node)};
-      if (const Result<AnalysisTable> table = analyse(other, request)) other_lines_[i] = lines_of(*table, plots_[i], node);
+      const Result<AskedQuantity> asked = ask_for(other.skeleton, quantity, node, plots_[i].asked.point_m, plots_[i].choice.frame);
+      if (!asked) continue;
+      request.asked = {*asked};
+      if (const Result<AnalysisTable> table = analyse(other, request)) other_lines_[i] = lines_of(*table, *asked);
       else notes_.push_back("The other clip: " + table.error().message);
     }
   }
@@ -321,7 +335,7 @@ void Analysis::compute(const Session& session) {
   request.support = support;
   request.derivation = derivation;
   if (wants_body && body_) request.model = body_->body.model;
-  if (key_.shows_plots) request.asked = asked_by(clip.skeleton, plots_);
+  if (key_.shows_plots) request.asked = asked_by(plots_);
   AnalysisRequest with_arrows = request;
   add_arrows(with_arrows);
   Result<AnalysisTable> table = analyse(clip, with_arrows);
@@ -333,7 +347,7 @@ void Analysis::compute(const Session& session) {
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
   for (AnalysisPlot& plot : plots_) {
-    if (plot.problem.empty()) plot.lines = lines_of(table_, plot, plot.node);
+    if (plot.problem.empty()) plot.lines = lines_of(table_, plot.asked);
   }
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);

@@ -19,6 +19,8 @@ namespace marey::app {
 struct PlotChoice {
   const Quantity* quantity = nullptr;
   std::string owner{};  ///< a joint or end site as node_label() names it; "" for the active joint, or the whole body
+  std::string frame{};  ///< what it is seen from, as ask_for() reads it; "" as usual
+  glm::dvec3 point_m{0.0};  ///< fixed to the joint, where it is of a point
   friend bool operator==(const PlotChoice&, const PlotChoice&) = default;
 };
 
@@ -41,6 +43,10 @@ struct AnalysisPlot {
   NodeIndex node = kNoParent;  ///< kNoParent for the whole body, and where nobody has that name
   std::string problem;        ///< why there are no lines: nobody of that name, no masses; "" where there are
   std::string owner;          ///< "Body", "whole body"
+  AskedQuantity asked;        ///< where there is no problem
+
+  /// "Hand +0/0.1/0 in Hips".
+  [[nodiscard]] std::string whose() const;
   std::string_view unit;      ///< "°/s", "N·m"
   std::vector<PlotLine> lines;
   std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
@@ -112,6 +118,7 @@ class Analysis {
   };
   void compute(const Session& session);
   void make_plots(const Session& session);
+  static void find_asked(const Skeleton& skeleton, AnalysisPlot& plot);
   void add_raw(const Clip& clip, AnalysisRequest request);
   void add_bands(const Clip& clip, const AnalysisRequest& request);
   [[nodiscard]] std::vector<AnalysisRequest> variants_of(const Clip& clip, const AnalysisRequest& request) const;

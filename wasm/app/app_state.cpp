@@ -134,6 +134,7 @@ json analysis_state(const Workspace& workspace) {
   for (const AnalysisPlot& plot : analysis.plots()) {
     plots.push_back({{"quantity", plot.choice.quantity->name},
                      {"owner", plot.owner},
+                     {"frame", plot.choice.frame},
                      {"unit", plot.unit},
                      {"values", line_values(plot.lines, workspace.session.playback.frame())},
                      {"bands", band_values(plot.bands, workspace.session.playback.frame())}});

@@ -31,7 +31,7 @@ Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::
   if (read.contains("frameTime")) request.frame_time_s = read.at("frameTime").get<double>();
   if (read.contains("body")) {
     const marey::BodyTable* table = marey::find_body_table(read.at("body").get<std::string>());
-    if (table == nullptr) return refusal("The body is \"deleva-male\", \"deleva-female\" or \"rods\".");
+    if (table == nullptr) return refusal("The body is \"deleva-male\", \"deleva-female\", \"winter\" or \"rods\".");
     const double mass_kg = read.value("mass", marey::usual_mass_kg(*table));
     Result<marey::GuessedBody> body = marey::guess_body(clip.skeleton, *table, mass_kg, clip.settings.metres_per_unit);
     if (!body) return body.error();

@@ -137,17 +137,17 @@ export interface BodyModel {
 }
 
 export interface AnalyseOptions {
-  /** "torque:Body", "velocity:*", "com" ... */
+  /** "torque:Body", "velocity:*", "position:Hand+0/0.1/0@Hips", "com" ... */
   quantities: readonly string[];
   /** Needed by all that has to do with mass, but for `body`. */
   model?: BodyModel;
   /** Masses by a table, the names of the joints and the lengths of the bones; a model is then not looked at. */
-  body?: "deleva-male" | "deleva-female" | "rods";
+  body?: "deleva-male" | "deleva-female" | "winter" | "rods";
   /** Of the body, in kg; by default that of the table's average subject. */
   mass?: number;
   /** What holds the body; by default "auto". */
   support?: "pivot" | "flight" | "ground" | "auto";
-  /** "central" (the default), "butterworth:HZ", "savgol:WINDOW,DEGREE" or "gcv". */
+  /** "central" (the default), "butterworth:HZ", "savgol:WINDOW,DEGREE", "gcv" or "spline:DEG,MM". */
   derivative?: string;
   /** Seconds per frame, in place of the file's. */
   frameTime?: number;

@@ -143,7 +143,7 @@ TEST(Analysis, TakesClipsOfAnyLength) {
   for (const int frames : {0, 1, 2, 3, 4, 7}) {
     Clip clip = make_gymnast();
     clip.motion = clip.motion.frames_of({0, frames});
-    for (const char* method : {"central", "butterworth:6", "savgol:3,2", "gcv"}) {
+    for (const char* method : {"central", "butterworth:6", "savgol:3,2", "gcv", "spline:0.5,1"}) {
       AnalysisRequest request = gymnast_request(0.033333);
       request.derivation = *parse_derivation(method);
       for (const SupportKind support : {SupportKind::Pivot, SupportKind::Flight, SupportKind::Ground, SupportKind::Auto}) {
@@ -157,13 +157,13 @@ TEST(Analysis, TakesClipsOfAnyLength) {
 }
 
 TEST(Derivation, IsReadAsItIsWritten) {
-  for (const char* text : {"central", "butterworth:6", "butterworth:4.5", "savgol:7,3", "savgol:21,4", "gcv"}) {
+  for (const char* text : {"central", "butterworth:6", "butterworth:4.5", "savgol:7,3", "savgol:21,4", "gcv", "spline:0.5,1.5"}) {
     const Result<Derivation> derivation = parse_derivation(text);
     ASSERT_TRUE(derivation) << text;
     EXPECT_EQ(describe(*derivation), text);
   }
   for (const char* text : {"", "Central", "central:1", "butterworth", "butterworth:", "butterworth:0", "butterworth:-1", "savgol:7",
-                           "savgol:6,3", "savgol:7,7", "savgol:7,1", "savgol:7,3,1", "gcv:2", "savgol:7,x", "butterworth:6,"}) {
+                           "savgol:6,3", "savgol:7,7", "savgol:7,1", "savgol:7,3,1", "gcv:2", "spline", "spline:1", "spline:0,1", "spline:1,-1", "savgol:7,x", "butterworth:6,"}) {
     EXPECT_FALSE(parse_derivation(text)) << text;
   }
 }

@@ -104,6 +104,29 @@ TEST(BodyGuess, RodsGoWithAnyFigure) {
   }
 }
 
+// Winter 2009, table 4.1: head, arms and trunk are .678 of the body, a leg .161, an arm .050.
+TEST(BodyTables, OfWinterAddUp) {
+  const auto mass = [](BodyPart part) { return proportions_of(BodyTable::Winter, part).mass; };
+  const double leg = mass(BodyPart::Thigh) + mass(BodyPart::Shank) + mass(BodyPart::Foot);
+  const double arm = mass(BodyPart::UpperArm) + mass(BodyPart::Forearm) + mass(BodyPart::Hand);
+  EXPECT_NEAR(leg, 0.161, 1e-12);
+  EXPECT_NEAR(arm, 0.050, 1e-12);
+  EXPECT_NEAR(mass(BodyPart::Trunk) + mass(BodyPart::Head) + 2.0 * arm, 0.678, 1e-12);
+  double trunk = 0.0;
+  for (const TrunkPiece& piece : trunk_pieces_of(BodyTable::Winter)) trunk += piece.mass;
+  EXPECT_NEAR(trunk, mass(BodyPart::Trunk), 1e-12);
+  // Radii about the proximal ends, as the same table has them.
+  const auto radius_at_end = [](BodyPart part) {
+    const PartProportions& p = proportions_of(BodyTable::Winter, part);
+    return std::hypot(p.radius_transverse, p.com);
+  };
+  EXPECT_NEAR(radius_at_end(BodyPart::Thigh), 0.540, 2e-3);
+  EXPECT_NEAR(radius_at_end(BodyPart::Shank), 0.528, 2e-3);
+  EXPECT_NEAR(radius_at_end(BodyPart::UpperArm), 0.542, 2e-3);
+  EXPECT_NEAR(radius_at_end(BodyPart::Forearm), 0.526, 2e-3);
+  EXPECT_NEAR(radius_at_end(BodyPart::Foot), 0.690, 2e-3);
+}
+
 // Real files: a mass where the names tell a body, both sides alike, and a centre between hips and head.
 TEST(BodyGuess, OfRecordedFiles) {
   int files = 0;

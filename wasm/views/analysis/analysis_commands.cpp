@@ -98,7 +98,24 @@ json show_layout(Workspace& workspace) {
   return nullptr;
 }
 
-/// {"quantities": ["torque:Body", "angle", "com"]}; without a joint that of the active one.
+// "torque:Body", "position:Hand+0/0.1/0@Hips"; without a joint, "angle" or "angle@world", that of the active one.
+std::optional<PlotChoice> read_choice(const Skeleton& skeleton, const std::string& text) {
+  const std::size_t end = text.find_first_of(":@");
+  const Quantity* quantity = find_quantity(std::string_view(text).substr(0, end));
+  if (quantity == nullptr) return std::nullopt;
+  const auto asked = find_quantities(skeleton, std::span(&text, 1));
+  if (asked && asked->size() == 1) {
+    const AskedQuantity& one = asked->front();
+    const std::size_t at = one.frame ? text.rfind('@') : std::string::npos;
+    return PlotChoice{quantity, one.node == kNoParent ? std::string() : node_label(skeleton, one.node),
+                      at == std::string::npos ? std::string() : text.substr(at + 1), one.point_m};
+  }
+  if (end == std::string::npos) return PlotChoice{quantity};
+  if (text[end] == '@') return PlotChoice{quantity, {}, text.substr(end + 1)};
+  return PlotChoice{quantity, text.substr(end + 1)};
+}
+
+/// {"quantities": ["torque:Body", "angle", "com"]}.
 json set_plots(Workspace& workspace, const json& args) {
   if (!args.is_object() || !args.contains("quantities") || !args["quantities"].is_array()) {
     return command_error("Give the plots as {\"quantities\": [\"torque:Body\", \"angle\", \"com\"]}.");
@@ -106,11 +123,9 @@ json set_plots(Workspace& workspace, const json& args) {
   std::vector<PlotChoice> choices;
   for (const json& text : args["quantities"]) {
     if (!text.is_string()) return command_error("Every quantity is a text.");
-    const std::string wanted = text.get<std::string>();
-    const std::size_t colon = wanted.find(':');
-    const Quantity* quantity = find_quantity(std::string_view(wanted).substr(0, colon));
-    if (quantity == nullptr) return command_error(fmt::format("\"{}\" is not a quantity.", wanted));
-    choices.push_back({quantity, colon == std::string::npos ? std::string() : wanted.substr(colon + 1)});
+    const std::optional<PlotChoice> choice = read_choice(workspace.session.document.skeleton(), text.get<std::string>());
+    if (!choice) return command_error(fmt::format("\"{}\" is not a quantity.", text.get<std::string>()));
+    choices.push_back(*choice);
   }
   workspace.analysis.set_choices(std::move(choices));
   return show_plots(workspace);

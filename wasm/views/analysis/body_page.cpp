@@ -21,6 +21,7 @@ Options table_options() {
   static const std::vector<ui::ChoiceOption> kOptions = {{"body.table.auto", "By joint names"},
                                                          {"body.table.male", "de Leva 1996, male"},
                                                          {"body.table.female", "de Leva 1996, female"},
+                                                         {"body.table.winter", "Winter 2009"},
                                                          {"body.table.rods", "Uniform rods"}};
   return kOptions;
 }
@@ -37,7 +38,8 @@ Options derivation_options() {
   static const std::vector<ui::ChoiceOption> kOptions = {{"body.derivation.central", "As it is"},
                                                          {"body.derivation.butterworth", "Butterworth"},
                                                          {"body.derivation.savgol", "Savitzky-Golay"},
-                                                         {"body.derivation.gcv", "Quintic spline, GCV"}};
+                                                         {"body.derivation.gcv", "Quintic spline, GCV"},
+                                                         {"body.derivation.spline", "Quintic spline, known noise"}};
   return kOptions;
 }
 
@@ -191,6 +193,9 @@ void draw_derivation(ViewContext& context) {
     draw_number(context, "body.degree", "Degree", degree, {.unit = "", .decimals = 0, .step = 0.1, .low = 2.0, .high = 8.0});
     derivation.window = static_cast<int>(window) / 2 * 2 + 1;
     derivation.degree = std::min(static_cast<int>(degree), derivation.window - 1);
+  } else if (derivation.kind == DerivationKind::Spline) {
+    draw_number(context, "body.noise.angles", "Noise, angles", derivation.noise_deg, {.unit = "°", .decimals = 2, .step = 0.01, .low = 0.001, .high = 90.0});
+    draw_number(context, "body.noise.places", "Noise, places", derivation.noise_mm, {.unit = "mm", .decimals = 1, .step = 0.1, .low = 0.001, .high = 1e4});
   }
   ImGui::SetCursorPosX(inspector::kPadding);
   ui::toggle(context, "body.bands", "Bands of doubt",

@@ -13,7 +13,7 @@ namespace {
 bool is_plotted(const Analysis& analysis, const AnalysisColumn& column) {
   const std::span<const AnalysisPlot> plots = analysis.plots();
   return std::any_of(plots.begin(), plots.end(), [&](const AnalysisPlot& plot) {
-    return plot.problem.empty() && plot.node == column.node && plot.choice.quantity == column.quantity;
+    return plot.problem.empty() && asks_the_same(plot.asked, column.asked);
   });
 }
 

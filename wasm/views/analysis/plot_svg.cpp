@@ -122,7 +122,7 @@ void PictureWriter::add_line(const Panel& panel, const PlotLine& line, std::stri
 }
 
 void PictureWriter::add_plot(const Panel& panel, const AnalysisPlot& plot) {
-  add_words(kLeft, panel.top + 16.0, "start", " font-weight=\"600\" font-size=\"12\"", fmt::format("{}: {}", plot.title(), plot.owner));
+  add_words(kLeft, panel.top + 16.0, "start", " font-weight=\"600\" font-size=\"12\"", fmt::format("{}: {}", plot.title(), plot.whose()));
   add_axes(panel);
   append("<g clip-path=\"url(#plot{:.0f})\">\n", panel.top);
   for (const PlotLine& line : plot.raw) add_line(panel, line, " stroke=\"#9ba4b0\" stroke-width=\"0.8\"");

@@ -15,6 +15,7 @@ constexpr float kLeastRowHeight = 64.0f;
 constexpr float kLabelInset = 12.0f;
 constexpr float kLeastPlotWidth = 200.0f;
 constexpr const char* kAddList = "plots.add.list";
+constexpr const char* kFrameList = "plots.frames";
 
 std::span<const ui::ChoiceOption> mode_options() {
   static const std::vector<ui::ChoiceOption> kOptions = {{"plots.mode.time", "Over time"},
@@ -38,6 +39,8 @@ SmallText describe_smoothing(const Derivation& derivation) {
     case DerivationKind::SavitzkyGolay:
       return SmallText("Smoothed by Savitzky-Golay, {} frames, degree {}.", derivation.window, derivation.degree);
     case DerivationKind::Gcv: return SmallText("Smoothed by a quintic spline (GCV).");
+    case DerivationKind::Spline:
+      return SmallText("Smoothed by a quintic spline, noise {:g}° and {:g} mm.", derivation.noise_deg, derivation.noise_mm);
   }
   return SmallText("Not smoothed.");
 }
@@ -111,6 +114,30 @@ void PlotsView::draw_toolbar(ViewContext& context, ImVec2 min, float width) {
   ImGui::EndChild();
 }
 
+// The frames of reference that a plot can be seen from; whether one was chosen.
+bool draw_frame_list(ViewContext& context, const AnalysisPlot& plot, std::string& frame) {
+  if (!ImGui::BeginPopup(kFrameList)) return false;
+  ui::popup_shadow(context);
+  const std::string before = frame;
+  const auto add = [&](const std::string& value, const char* label) {
+    if (ImGui::Selectable(label, frame == value)) frame = value;
+    context.items.add_last(SmallText("plots.frame.{}", value), label);
+  };
+  add("", "As usual");
+  add("world", "World");
+  add("root", "Root");
+  if (plot.node != kNoParent) add("parent", "Parent");
+  ImGui::Separator();
+  const Skeleton& skeleton = context.session.document.skeleton();
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    ImGui::PushID(joint);
+    add(skeleton.name(joint), ui::displayable(skeleton.name(joint)).c_str());
+    ImGui::PopID();
+  }
+  ImGui::EndPopup();
+  return frame != before;
+}
+
 void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at) {
   const bool of_joint = is_of_joint(*plot.choice.quantity);
   const bool pinned = !plot.choice.owner.empty();
@@ -123,6 +150,18 @@ void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int
     if (ui::icon_button(context, SmallText("plots.pin.{}", index).c_str(), icons::kPin, tip, pinned)) {
       choices = context.analysis.choices();
       choices[idx(index)].owner = pinned ? std::string() : plot.owner;
+    }
+  }
+  if (plot.choice.quantity->sight != QuantitySight::None) {
+    ImGui::SetCursorScreenPos({at.x - 3.0f * button, at.y});
+    if (ui::icon_button(context, SmallText("plots.frame.of.{}", index).c_str(), icons::kAxis3d,
+                        "Frame of reference. Where the plot is seen from: the world, the root, any joint.", !plot.choice.frame.empty())) {
+      ImGui::OpenPopup(kFrameList);
+    }
+    std::string frame = plot.choice.frame;
+    if (draw_frame_list(context, plot, frame)) {
+      choices = context.analysis.choices();
+      choices[idx(index)].frame = std::move(frame);
     }
   }
   ImGui::SetCursorScreenPos({at.x - button, at.y});
@@ -144,10 +183,10 @@ void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int i
   const Theme& theme = context.theme;
   draw_text(context, context.fonts.semibold, at, width, theme.text, plot.choice.quantity->label);
   const float line = std::round(at.y + 18.0f);
-  const SmallText owner("{}", plot.problem.empty() ? plot.owner : plot.problem);
+  const SmallText owner("{}", plot.problem.empty() ? plot.whose() : plot.problem);
   const SmallText unit("  {}", plot.unit);
   const float unit_width = ImGui::CalcTextSize(unit.c_str()).x;
-  const float owner_width = width - 2.0f * button - unit_width;
+  const float owner_width = width - 3.0f * button - unit_width;
   draw_text(context, context.fonts.text, {at.x, line}, owner_width, plot.problem.empty() ? theme.dim_text : theme.warning, owner);
   const float shown_width = std::min(ImGui::CalcTextSize(owner.c_str()).x, owner_width);
   ImGui::GetWindowDrawList()->AddText({at.x + shown_width, line}, theme.dim_text, unit.c_str());
@@ -157,7 +196,7 @@ void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int i
 
 // Within the plot, on a veil: a narrow page has no room beside it.
 void PlotsView::draw_narrow_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) const {
-  const SmallText title("{}, {} [{}]", plot.choice.quantity->label, plot.owner, plot.unit);
+  const SmallText title("{}, {} [{}]", plot.choice.quantity->label, plot.whose(), plot.unit);
   const ImVec2 at{min.x + 4.0f, min.y + 8.0f};
   const float width = std::min(ImGui::CalcTextSize(title.c_str()).x, max.x - at.x);
   ImDrawList& list = *ImGui::GetWindowDrawList();

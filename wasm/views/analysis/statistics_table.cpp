@@ -43,7 +43,7 @@ void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& l
   ui::elided_text(context, SmallText("{}{}", plot.choice.quantity->label, letter[1] == '\0' ? "" : letter), ImGui::GetContentRegionAvail().x,
                   component_color(context.theme, line.component));
   ImGui::TableNextColumn();
-  ui::elided_text(context, plot.owner, ImGui::GetContentRegionAvail().x, context.theme.text);
+  ui::elided_text(context, plot.whose(), ImGui::GetContentRegionAvail().x, context.theme.text);
   ImGui::TableNextColumn();
   ui::dim_text(context, plot.unit);
   if (!found) return;
