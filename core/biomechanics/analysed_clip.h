@@ -30,11 +30,12 @@ class AnalysedClip {
     return loads_[idx(frame) * idx(body_.joint_count) + idx(joint)];
   }
   /// The floor, in metres; where the support has none, that of find_contacts().
-  [[nodiscard]] double floor_m() const { return contacts_.floor_m; }
+  [[nodiscard]] double floor_m() const { return support_.contacts.floor_m; }
+  [[nodiscard]] const SettledSupport& support() const { return support_; }
   [[nodiscard]] const glm::dvec3& gravity() const { return gravity_; }
 
  private:
-  [[nodiscard]] bool is_ground(FrameIndex frame) const;
+  [[nodiscard]] SettledSupport settle_support() const;
   void find_frame_loads(FrameIndex frame);
 
   const Clip& clip_;
@@ -42,9 +43,7 @@ class AnalysedClip {
   BodyMotion body_;
   glm::dvec3 gravity_{0.0};
   FilePoses poses_;
-  SupportKind support_ = SupportKind::Flight;  // never Auto
-  bool follows_contacts_ = false;              // ground and flight in turn
-  Contacts contacts_;
+  SettledSupport support_;
   std::vector<BodyState> states_;
   std::vector<GroundReaction> reactions_;
   std::vector<JointLoad> loads_;

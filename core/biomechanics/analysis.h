@@ -20,6 +20,7 @@ struct AnalysisRequest {
   SupportKind support = SupportKind::Auto;
   Derivation derivation;
   std::optional<double> frame_time_s;  ///< in place of the clip's
+  std::optional<SettledSupport> settled{};  ///< in place of looking for what `support` says
 };
 
 /// One number per frame.
@@ -33,6 +34,7 @@ struct AnalysisColumn {
 struct AnalysisTable {
   std::vector<AnalysisColumn> columns;
   std::vector<std::string> notes;  ///< sentences about what people should know of it
+  SettledSupport support;          ///< where something needed masses
 };
 
 /// World axes, SI, one column per component:

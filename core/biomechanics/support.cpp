@@ -87,6 +87,13 @@ bool Contacts::any_down(FrameIndex frame) const {
   return false;
 }
 
+SettledSupport SettledSupport::of_frames(FrameRange frames) const {
+  SettledSupport part{kind, follows_contacts, {contacts.floor_m, contacts.points, {}}};
+  const auto points = static_cast<std::ptrdiff_t>(contacts.points.size());
+  part.contacts.down.assign(contacts.down.begin() + frames.first * points, contacts.down.begin() + frames.end() * points);
+  return part;
+}
+
 Contacts find_contacts(const BodyMotion& body, const Skeleton& skeleton, Axis up, const ContactLimits& limits) {
   Contacts contacts;
   contacts.points = find_points(body, skeleton);

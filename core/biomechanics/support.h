@@ -7,6 +7,7 @@
 
 #include "core/biomechanics/mechanics.h"
 #include "core/math/axis.h"
+#include "core/motion/motion.h"
 
 namespace marey {
 
@@ -41,6 +42,20 @@ struct Contacts {
 
   [[nodiscard]] bool is_down(FrameIndex frame, std::size_t point) const { return down[idx(frame) * points.size() + point] != 0; }
   [[nodiscard]] bool any_down(FrameIndex frame) const;
+};
+
+/// What a body was found to be held by, for all frames of a clip.
+struct SettledSupport {
+  SupportKind kind = SupportKind::Flight;  ///< never Auto
+  bool follows_contacts = false;           ///< ground in frames with a contact, flight in the others
+  Contacts contacts;
+
+  /// That of some of the frames.
+  [[nodiscard]] SettledSupport of_frames(FrameRange frames) const;
+  /// Whether the ground holds the body at a frame.
+  [[nodiscard]] bool is_ground(FrameIndex frame) const {
+    return kind == SupportKind::Ground && (!follows_contacts || contacts.any_down(frame));
+  }
 };
 
 /// The floor is the height that the lowest point of the body has in most frames: the median of the lowest heights of frames in

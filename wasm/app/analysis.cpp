@@ -7,8 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/biomechanics/analysis_update.h"
 #include "core/biomechanics/plausibility.h"
-#include "core/math/angle.h"
 
 namespace marey::app {
 namespace {
@@ -17,21 +17,6 @@ namespace {
 constexpr double kManySamples = 40'000.0;
 constexpr double kUnitDoubt = 0.02;
 constexpr int kLeastFramesToJudge = 5;
-
-struct ShownUnit {
-  std::string_view unit;
-  std::string_view shown;
-  bool is_angle = false;
-};
-constexpr std::array kShownUnits = {ShownUnit{"rad", "°", true},      ShownUnit{"rad/s", "°/s", true},
-                                    ShownUnit{"rad/s2", "°/s²", true}, ShownUnit{"m/s2", "m/s²"},
-                                    ShownUnit{"N.m", "N·m"},           ShownUnit{"kg.m/s", "kg·m/s"},
-                                    ShownUnit{"kg.m2/s", "kg·m²/s"}};
-
-const ShownUnit* find_unit(std::string_view unit) {
-  const auto found = std::find_if(kShownUnits.begin(), kShownUnits.end(), [&](const ShownUnit& u) { return u.unit == unit; });
-  return found == kShownUnits.end() ? nullptr : &*found;
-}
 
 bool can_have(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
   return quantity.owner == QuantityOwner::Point || !skeleton.node(node).is_end_site;
@@ -43,22 +28,6 @@ NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::st
     if (can_have(skeleton, quantity, node) && node_label(skeleton, node) == name) return node;
   }
   return kNoParent;
-}
-
-std::vector<PlotLine> lines_of(const AnalysisTable& table, const AskedQuantity& asked) {
-  std::vector<PlotLine> lines;
-  for (const AnalysisColumn& column : table.columns) {
-    if (!asks_the_same(column.asked, asked)) continue;
-    if (std::any_of(lines.begin(), lines.end(), [&](const PlotLine& line) { return line.component == column.component; })) continue;
-    PlotLine line{column.component, column.values};
-    const ShownUnit* unit = find_unit(column.asked.quantity->unit);
-    if (unit != nullptr && unit->is_angle) {
-      for (double& value : line.values) value = to_degrees(value);
-    }
-    lines.push_back(std::move(line));
-  }
-  std::sort(lines.begin(), lines.end(), [](const PlotLine& a, const PlotLine& b) { return a.component < b.component; });
-  return lines;
 }
 
 bool needs_body(std::span<const AnalysisPlot> plots) {
@@ -92,60 +61,7 @@ std::vector<Derivation> neighbours_of(const Derivation& derivation) {
   return {{.kind = DerivationKind::SavitzkyGolay, .window = 5, .degree = 2}};
 }
 
-// The values at 0, step, 2 step ... frames, straight between two; none behind the last.
-std::vector<double> at_other_times(std::span<const double> values, double step, int count) {
-  std::vector<double> result(idx(count), std::nan(""));
-  for (int i = 0; i < count; ++i) {
-    const double place = i * step;
-    if (!(place <= static_cast<double>(values.size()) - 1.0)) break;
-    const auto before = static_cast<std::size_t>(place);
-    const std::size_t behind = std::min(before + 1, values.size() - 1);
-    const double share = place - static_cast<double>(before);
-    result[idx(i)] = share == 0.0 ? values[before] : values[before] + share * (values[behind] - values[before]);
-  }
-  return result;
-}
-
-void widen(PlotBand& band, std::span<const double> values) {
-  for (std::size_t i = 0; i < std::min(values.size(), band.low.size()); ++i) {
-    if (!std::isfinite(values[i]) || !std::isfinite(band.low[i])) continue;
-    band.low[i] = std::min(band.low[i], values[i]);
-    band.high[i] = std::max(band.high[i], values[i]);
-  }
-}
-
 }  // namespace
-
-JointIndex find_plotted_joint(const Session& session) {
-  const Skeleton& skeleton = session.document.skeleton();
-  if (session.selection.active_joint() != kNoParent) return session.selection.active_joint();
-  const JointIndex first = skeleton.joint_count() > 0 ? 0 : kNoParent;
-  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    const auto channels = skeleton.channels(joint);
-    const bool turns = std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
-    if (turns && skeleton.parent(joint) != kNoParent) return joint;
-  }
-  return first;
-}
-
-bool is_of_joint(const Quantity& quantity) {
-  return quantity.owner == QuantityOwner::Point || quantity.owner == QuantityOwner::Joint;
-}
-
-std::string_view shown_unit(std::string_view unit) {
-  const ShownUnit* found = find_unit(unit);
-  return found == nullptr ? unit : found->shown;
-}
-
-std::string AnalysisPlot::whose() const {
-  std::string text = owner;
-  const glm::dvec3& point = asked.point_m;
-  if (point != glm::dvec3(0.0)) text += fmt::format(" +{}/{}/{}", point.x, point.y, point.z);
-  if (!choice.frame.empty()) text += " in " + choice.frame;
-  return text;
-}
-
-std::string AnalysisPlot::title() const { return fmt::format("{} [{}]", choice.quantity->label, unit); }
 
 std::vector<PlotChoice> Analysis::usual_choices() {
   std::vector<PlotChoice> choices;
@@ -336,9 +252,9 @@ void Analysis::compute(const Session& session) {
   request.derivation = derivation;
   if (wants_body && body_) request.model = body_->body.model;
   if (key_.shows_plots) request.asked = asked_by(plots_);
-  AnalysisRequest with_arrows = request;
-  add_arrows(with_arrows);
-  Result<AnalysisTable> table = analyse(clip, with_arrows);
+  request_ = request;
+  add_arrows(request_);
+  Result<AnalysisTable> table = analyse(clip, request_);
   if (!table) {
     problem_ = table.error().message;
     return;
@@ -346,12 +262,28 @@ void Analysis::compute(const Session& session) {
   table_ = std::move(*table);
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
-  for (AnalysisPlot& plot : plots_) {
-    if (plot.problem.empty()) plot.lines = lines_of(table_, plot.asked);
-  }
+  take_lines();
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);
   if (key_.other != nullptr) add_other(clip.motion, std::move(request));
+}
+
+void Analysis::take_lines() {
+  for (AnalysisPlot& plot : plots_) {
+    if (plot.problem.empty()) plot.lines = lines_of(table_, plot.asked);
+  }
+}
+
+void Analysis::follow_drag(const Session& session) {
+  const std::uint64_t revision = session.document.revision();
+  if (revision == table_revision_ || !problem_.empty() || !can_update_analysis(request_.derivation)) return;
+  const FrameRange changed = session.document.history().changed_frames_since(table_revision_);
+  const int channels = std::max(session.document.motion().channel_count(), 1);
+  if (changed.count > kManySamples / channels) return;
+  if (!update_analysis(session.document.clip(), request_, changed, table_)) return;
+  table_revision_ = revision;
+  ++serial_;
+  if (key_.shows_plots) take_lines();
 }
 
 void Analysis::clear() {
@@ -382,17 +314,23 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
                 .shows_raw = shows_plots && shows_raw && smooths,
                 .shows_bands = shows_plots && shows_bands,
                 .arrows = arrows};
-  if (known_ && key == key_) return false;
+  if (known_ && !waits_ && key == key_) return false;
   const bool is_long = static_cast<double>(motion.samples().size()) > kManySamples;
   const bool is_as_before = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices &&
                             frame_count_ == motion.frame_count();
-  if (dragging && is_long && is_as_before) return true;
+  if (dragging && is_long && is_as_before) {
+    waits_ = true;
+    follow_drag(session);
+    return true;
+  }
   // What throws for want of memory is tried again, not taken for a result.
   known_ = false;
   key_ = key;
   compute(session);
+  table_revision_ = key.revision;
   frame_count_ = motion.frame_count();
   known_ = true;
+  waits_ = false;
   return false;
 }
 

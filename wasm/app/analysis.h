@@ -11,51 +11,10 @@
 #include "core/biomechanics/chosen_body.h"
 #include "core/biomechanics/quantity.h"
 #include "core/document/session.h"
+#include "wasm/app/analysis_plot.h"
 #include "wasm/app/shown_arrows.h"
 
 namespace marey::app {
-
-/// A quantity that is plotted.
-struct PlotChoice {
-  const Quantity* quantity = nullptr;
-  std::string owner{};  ///< a joint or end site as node_label() names it; "" for the active joint, or the whole body
-  std::string frame{};  ///< what it is seen from, as ask_for() reads it; "" as usual
-  glm::dvec3 point_m{0.0};  ///< fixed to the joint, where it is of a point
-  friend bool operator==(const PlotChoice&, const PlotChoice&) = default;
-};
-
-/// A component of a plot over all frames, in the plot's unit; not a number where it is not defined.
-struct PlotLine {
-  char component = 0;  ///< 'x', 'y', 'z'; 0 for a quantity without direction
-  std::vector<double> values;
-};
-
-/// How far a component moves when what it rests on is taken a little otherwise.
-struct PlotBand {
-  char component = 0;
-  std::vector<double> low;
-  std::vector<double> high;
-};
-
-/// What is plotted, ready to be drawn: angles in degrees, everything else in SI.
-struct AnalysisPlot {
-  PlotChoice choice;
-  NodeIndex node = kNoParent;  ///< kNoParent for the whole body, and where nobody has that name
-  std::string problem;        ///< why there are no lines: nobody of that name, no masses; "" where there are
-  std::string owner;          ///< "Body", "whole body"
-  AskedQuantity asked;        ///< where there is no problem
-
-  /// "Hand +0/0.1/0 in Hips".
-  [[nodiscard]] std::string whose() const;
-  std::string_view unit;      ///< "°/s", "N·m"
-  std::vector<PlotLine> lines;
-  std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
-  std::vector<PlotBand> bands;  ///< around the lines, where that was asked for
-  std::vector<PlotLine> other;  ///< of the other clip, at the times of the open one's frames
-
-  /// "Joint torque [N·m]".
-  [[nodiscard]] std::string title() const;
-};
 
 /// How a clip is looked at as mechanics, and the numbers that come of it; computed anew only when something of it changes.
 class Analysis {
@@ -73,9 +32,10 @@ class Analysis {
   /// Angle, angular velocity, angular acceleration and torque of the active joint.
   [[nodiscard]] static std::vector<PlotChoice> usual_choices();
 
-  /// What the next frames show; call in each, and before numbers are handed out. While `dragging`, a clip that takes long keeps
-  /// its former numbers, if it has as many frames as before. Returns whether it does. Without frames, and while the clip is
-  /// still being read, there are no numbers.
+  /// What the next frames show; call in each, and before numbers are handed out. While `dragging` samples of a clip that takes
+  /// long, only the frames about the change are computed anew, and support, bands and raw curves stay; with splines all
+  /// numbers stay. Returns whether something waits for the end of the drag. Without frames, and while the clip is still being
+  /// read, there are no numbers.
   bool follow(const Session& session, std::uint64_t clip_serial, bool shows_plots, const ShownArrows& arrows, bool dragging);
 
   [[nodiscard]] std::span<const AnalysisPlot> plots() const { return plots_; }
@@ -117,6 +77,8 @@ class Analysis {
     friend bool operator==(const Key&, const Key&) = default;
   };
   void compute(const Session& session);
+  void follow_drag(const Session& session);
+  void take_lines();
   void make_plots(const Session& session);
   static void find_asked(const Skeleton& skeleton, AnalysisPlot& plot);
   void add_raw(const Clip& clip, AnalysisRequest request);
@@ -130,6 +92,9 @@ class Analysis {
   std::uint64_t choices_serial_ = 0;
   Key key_;
   bool known_ = false;
+  bool waits_ = false;              // for the end of a drag
+  std::uint64_t table_revision_ = 0;  // of the samples that the table is of
+  AnalysisRequest request_;         // what the table is the answer to
   int frame_count_ = 0;  // of the numbers
   std::vector<AnalysisPlot> plots_;
   Key other_key_;  // what the lines of the other clip follow from, without the open clip's samples
@@ -147,12 +112,5 @@ class Analysis {
   double metres_per_unit_ = 0.01;
   std::uint64_t serial_ = 0;
 };
-
-/// The joint that plots of the active joint are of: that, or without one the first that turns, below the root if there is any.
-[[nodiscard]] JointIndex find_plotted_joint(const Session& session);
-/// Whether a quantity is of a joint, so that it can be that of the active one.
-[[nodiscard]] bool is_of_joint(const Quantity& quantity);
-/// For people: "°/s" for "rad/s", "N·m" for "N.m".
-[[nodiscard]] std::string_view shown_unit(std::string_view unit);
 
 }  // namespace marey::app
