@@ -2,8 +2,18 @@
 import { main, say } from "./lib/shell.mjs";
 import { setUpTests } from "./setup/index.mjs";
 import { tryForSystemPackages } from "./setup/system_packages.mjs";
-import { runBuild, runNodeTests, runNumberTests, runPlaywright, runPreset, runTypeCheck } from "./tests/runners.mjs";
+import {
+  hasNativeTarget, runBuild, runNativeProgram, runNodeTests, runNumberTests, runPlaywright, runPreset, runTypeCheck,
+} from "./tests/runners.mjs";
 import { add, closingLine, noCounts, runStep } from "./tests/step.mjs";
+
+function runBesideMujoco(log) {
+  if (!tryForSystemPackages(["mechanics"]) || !hasNativeTarget(log, "marey_mujoco_tests")) {
+    say("MuJoCo 2 is not to be had here, so mechanics is not compared with it");
+    return { ...noCounts, skipped: 1 };
+  }
+  return runNativeProgram(log, "marey_mujoco_tests");
+}
 
 function runOtherEngines(log) {
   if (!tryForSystemPackages(["engines"])) {
@@ -17,6 +27,7 @@ function runOtherEngines(log) {
 const steps = [
   { name: "native unit tests", body: (log) => runPreset(log, "native", { MAREY_SEQUENCES: "200000" }) },
   { name: "numbers read and written exactly", body: (log) => runNumberTests(log), notes: /compared with/ },
+  { name: "mechanics beside MuJoCo", body: runBesideMujoco, notes: /MuJoCo/ },
   { name: "unit tests with sanitizers", body: (log) => runPreset(log, "sanitize") },
   { name: "unit tests as wasm in Node", body: (log) => runPreset(log, "wasm") },
   { name: "types of the page", body: runTypeCheck },

@@ -11,6 +11,7 @@ const debianPackages = {
   bench: ["libbenchmark-dev"],
   fuzz: ["clang", "libclang-rt-dev"],
   test: ["chromium", "universal-ctags"],
+  mechanics: ["libmujoco-dev"],
   engines: ["firefox-esr", "xvfb", "xauth", "libgl1-mesa-dri", "webkit2gtk-driver"],
 };
 
@@ -25,6 +26,7 @@ const elsewhere = {
   bench: { programs: [], fedora: "google-benchmark-devel", brew: "google-benchmark" },
   fuzz: { programs: ["clang++"], fedora: "clang compiler-rt", brew: "llvm" },
   test: { programs: ["ctags"], fedora: "chromium ctags", brew: "universal-ctags" },
+  mechanics: { programs: [], fedora: "", brew: "" },
   engines: { programs: ["xvfb-run"], fedora: "firefox xorg-x11-server-Xvfb webkitgtk6.0", brew: "" },
 };
 

@@ -1,7 +1,7 @@
 // Each kind of test: how it is started, and how its own report is counted.
 import { existsSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
-import { Failure, inRoot } from "../lib/shell.mjs";
+import { Failure, capture, inRoot } from "../lib/shell.mjs";
 import { add, noCounts } from "./step.mjs";
 
 const onePassed = { ...noCounts, passed: 1 };
@@ -29,17 +29,29 @@ export function runPreset(log, preset, env = {}) {
   return ok || counts.failed > 0 ? counts : { ...counts, failed: 1 };
 }
 
-/** Builds and runs the native comparison of millions of numbers; `cases` is how many, the program's own choice if not given. */
-export function runNumberTests(log, cases) {
+/** Whether the native build has a target, which it leaves out where a library is missing. */
+export function hasNativeTarget(log, name) {
   log.must("cmake", ["--preset", "native"]);
-  log.must("cmake", ["--build", "--preset", "native", "--target", "marey_number_tests"]);
-  const report = inRoot("build", "native", "reports", "marey_number_tests.json");
+  const targets = capture("cmake", ["--build", "--preset", "native", "--target", "help"]).stdout;
+  return new RegExp(`^${name}:`, "m").test(targets);
+}
+
+/** Builds a native GoogleTest program that CTest does not run, and runs it, with what `env` sets for it. */
+export function runNativeProgram(log, name, env = {}) {
+  log.must("cmake", ["--preset", "native"]);
+  log.must("cmake", ["--build", "--preset", "native", "--target", name]);
+  const report = inRoot("build", "native", "reports", `${name}.json`);
   rmSync(report, { force: true });
-  const env = cases === undefined ? process.env : { ...process.env, MAREY_NUMBER_CASES: String(cases) };
-  const ok = log.run(inRoot("build", "native", "tests", "marey_number_tests"), [`--gtest_output=json:${report}`], { env });
-  if (!existsSync(report)) throw new Failure("marey_number_tests left no report");
+  const program = inRoot("build", "native", "tests", name);
+  const ok = log.run(program, [`--gtest_output=json:${report}`], { env: { ...process.env, ...env } });
+  if (!existsSync(report)) throw new Failure(`${name} left no report`);
   const counts = countGoogleTests(readJson(report));
   return ok || counts.failed > 0 ? counts : { ...counts, failed: 1 };
+}
+
+/** Runs the native comparison of millions of numbers; `cases` is how many, the program's own choice if not given. */
+export function runNumberTests(log, cases) {
+  return runNativeProgram(log, "marey_number_tests", cases === undefined ? {} : { MAREY_NUMBER_CASES: String(cases) });
 }
 
 /** Runs test files of Node's own runner. */
