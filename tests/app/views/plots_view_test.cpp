@@ -100,6 +100,53 @@ TEST_F(PlotsViewTest, AddsKeepsAndRemovesPlots) {
   EXPECT_FALSE(stage_.shows("plots.canvas.0"));
 }
 
+TEST_F(PlotsViewTest, IsSeenFromAnotherFrame) {
+  stage_.app().run_command("play.go_to_frame", {{"frame", 8}});
+  stage_.settle();
+  const double usual = plots()[0]["values"]["z"].get<double>();
+  stage_.click("plots.frame.of.0");
+  stage_.settle();
+  stage_.click("plots.frame.world");
+  stage_.settle();
+  EXPECT_EQ(plots()[0]["frame"], "world");
+  const Motion& motion = clip().motion;
+  EXPECT_NEAR(usual, motion.channel_samples(clip().skeleton.first_channel(1))[7], 1e-9);
+  const double arms = motion.channel_samples(3)[7];
+  EXPECT_NEAR(plots()[0]["values"]["z"].get<double>(), usual + arms, 1e-6);
+  EXPECT_EQ(plots()[1]["frame"], "");
+  stage_.app().run_command("analysis.plots", {{"quantities", {"position:Body+0/0.1/0@Arms", "angle@world", "torque"}}});
+  stage_.settle();
+  EXPECT_EQ(plots()[0]["owner"], "Body");
+  EXPECT_EQ(plots()[0]["frame"], "Arms");
+  EXPECT_FALSE(plots()[0]["values"].empty());
+  EXPECT_EQ(plots()[1]["frame"], "world");
+}
+
+// What is dragged is followed at once, also in a clip that takes long; the rest comes with the end of the drag.
+TEST_F(PlotsViewTest, FollowsADragInALongClip) {
+  ASSERT_TRUE(stage_.open_text("long.bvh", small_bvh(8000)));
+  stage_.settle();
+  Session& session = stage_.app().session();
+  Analysis dragged;
+  EXPECT_FALSE(dragged.follow(session, 1, true, {}, false));
+  stage_.app().run_command("edit.operation", {{"do", "scale factor=3 frames=4000:4010"}});
+  const std::uint64_t serial = dragged.serial();
+  EXPECT_TRUE(dragged.follow(session, 1, true, {}, true));
+  EXPECT_GT(dragged.serial(), serial);
+  Analysis whole;
+  whole.follow(session, 1, true, {}, false);
+  ASSERT_EQ(dragged.plots().size(), whole.plots().size());
+  for (std::size_t i = 0; i < whole.plots().size(); ++i) {
+    ASSERT_EQ(dragged.plots()[i].lines.size(), whole.plots()[i].lines.size());
+    for (std::size_t line = 0; line < whole.plots()[i].lines.size(); ++line) {
+      const auto& found = dragged.plots()[i].lines[line].values;
+      const auto& expected = whole.plots()[i].lines[line].values;
+      for (std::size_t f = 1; f + 1 < expected.size(); ++f) ASSERT_NEAR(found[f], expected[f], 1e-6 * std::abs(expected[f]) + 1e-6) << i << ", frame " << f;
+    }
+  }
+  EXPECT_FALSE(dragged.follow(session, 1, true, {}, false));
+}
+
 TEST_F(PlotsViewTest, SaysWhereAJointIsMissing) {
   stage_.app().run_command("analysis.plots", {{"quantities", {"torque:Nobody", "angle"}}});
   stage_.settle();
