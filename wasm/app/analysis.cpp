@@ -209,6 +209,7 @@ void Analysis::follow_body(const Session& session, std::uint64_t clip_serial) {
   knows_body_ = true;
   body_clip_serial_ = clip_serial;
   body_revision_ = revision;
+  ++body_serial_;
   body_.reset();
   body_problem_.clear();
   Result<ChosenBody> body = find_chosen_body(session.document.clip());

@@ -46,6 +46,8 @@ class Analysis {
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   /// The body that masses come of; null where none could be found, and before the first follow_body().
   [[nodiscard]] const ChosenBody* body() const { return body_ ? &*body_ : nullptr; }
+  /// Grows each time the body is found anew.
+  [[nodiscard]] std::uint64_t body_serial() const { return body_serial_; }
   /// Why there is no body.
   [[nodiscard]] const std::string& body_problem() const { return body_problem_; }
   /// Finds the body of the clip, if it is not known yet.
@@ -103,6 +105,7 @@ class Analysis {
   std::optional<ChosenBody> body_;
   std::uint64_t body_clip_serial_ = 0;
   std::uint64_t body_revision_ = 0;
+  std::uint64_t body_serial_ = 0;
   bool knows_body_ = false;
   std::string body_problem_;
   std::vector<std::string> judgement_;

@@ -31,6 +31,7 @@ struct ViewOptions {
   CurvesPage curves_page = CurvesPage::Curves;  ///< not kept between visits
   PlotMode plot_mode = PlotMode::OverTime;      ///< not kept between visits
   ShownArrows shown_arrows;                     ///< not kept between visits
+  bool show_solids = false;                     ///< segments as ellipsoids of their inertia; not kept between visits
   float falloff_radius_frames = 8.0f;  ///< of a drag in the curve editor
   float smooth_sigma_frames = 2.0f;
   float interface_scale = 1.0f;  ///< 1 to 2.5

@@ -30,6 +30,13 @@ struct SceneBall {
   glm::vec4 color{1.0f};
 };
 
+/// Ellipsoid, blended once per pixel over the figure; what lies in it shows through.
+struct SceneEllipsoid {
+  glm::vec3 center{0.0f};
+  glm::vec3 axes[3] = {glm::vec3(0.0f), glm::vec3(0.0f), glm::vec3(0.0f)};  ///< half axes, at right angles, right-handed, none 0
+  glm::vec4 color{1.0f};
+};
+
 struct SceneLinePoint {
   glm::vec3 position{0.0f};
   glm::vec4 color{1.0f};
@@ -94,6 +101,7 @@ struct Scene {
   std::vector<SceneBone> faded_bones;  ///< strobe poses: blended once per pixel, behind `bones`, no shadow
   std::vector<SceneBall> faded_balls;
   std::uint64_t faded_revision = 0;  ///< changes with the faded solids; equal: the renderer may keep its copy
+  std::vector<SceneEllipsoid> ellipsoids;  ///< segments of the body; no shadow
   std::vector<SceneLinePoint> line_points;
   std::vector<SceneLine> lines;
 };

@@ -19,6 +19,7 @@ void clear_figure(Scene& scene) {
   scene.balls.clear();
   scene.outlined_bones.clear();
   scene.outlined_balls.clear();
+  scene.ellipsoids.clear();
   scene.line_points.clear();
   scene.lines.clear();
 }
@@ -69,6 +70,7 @@ void ViewportView::draw(ViewContext& context, Scene& scene) {
   handle_viewport_input(context, state_);
   update_camera(context, state_, {static_cast<double>(size.x), static_cast<double>(size.y)});
   build_scene(context, scene);
+  if (!state_.figure.empty()) solids_.add(context, state_.figure, scene);
   arrows_.add(context, state_, scene);
   if (!state_.figure.empty()) labels_.draw(context, state_);
   draw_overlay(context, state_);

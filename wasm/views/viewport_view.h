@@ -5,6 +5,7 @@
 #include "wasm/render/scene.h"
 #include "wasm/views/viewport/body_arrows.h"
 #include "wasm/views/viewport/joint_labels.h"
+#include "wasm/views/viewport/segment_solids.h"
 #include "wasm/views/viewport/strobe.h"
 #include "wasm/views/viewport/trails.h"
 #include "wasm/views/viewport/viewport_state.h"
@@ -31,6 +32,7 @@ class ViewportView {
 
   ViewportState state_;
   BodyArrows arrows_;
+  SegmentSolids solids_;
   Strobe strobe_;
   Trails trails_;
   JointLabels labels_;

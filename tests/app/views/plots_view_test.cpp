@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "core/biomechanics/analysis.h"
+#include "core/biomechanics/body_motion.h"
 #include "core/biomechanics/chosen_body.h"
+#include "core/biomechanics/segment_solid.h"
 #include "core/editing/clip_operations.h"
 #include "tests/app/support/allocation_count.h"
 #include "tests/app/support/app_stage.h"
@@ -290,10 +293,39 @@ TEST_F(PlotsViewTest, DrawsArrowsAndTheCentreOfMass) {
   EXPECT_TRUE(stage_.shows("viewport.arrows.5"));
 }
 
+TEST_F(PlotsViewTest, DrawsSegmentsAsSolidsOfTheirInertia) {
+  EXPECT_TRUE(stage_.app().scene().ellipsoids.empty());
+  stage_.app().run_command("view.solids", nullptr);
+  stage_.app().session().playback.set_position(10);
+  stage_.settle();
+  const std::vector<SceneEllipsoid> drawn = stage_.app().scene().ellipsoids;
+  const auto body = find_chosen_body(clip());
+  const std::vector<Segment>& segments = body->body.model.segments;
+  ASSERT_EQ(drawn.size(), segments.size());
+  const Result<BodyMotion> motion = find_body_motion(clip(), {}, clip().motion.frame_time_s(), clip().settings.metres_per_unit);
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    const glm::dvec3 center = state_of_point(motion->state(10, segments[i].joint), segments[i].com_m).position / clip().settings.metres_per_unit;
+    EXPECT_LT(glm::distance(glm::dvec3(drawn[i].center), center), 1e-3 * glm::length(center)) << i;
+    const glm::dvec3 half_axes = find_segment_solid(segments[i]).half_axes_m / clip().settings.metres_per_unit;
+    for (int k = 0; k < 3; ++k) {
+      // What is too thin is drawn thick enough to be seen.
+      const double drawn_half = static_cast<double>(glm::length(drawn[i].axes[k]));
+      EXPECT_TRUE(drawn_half > half_axes[k] - 1e-5 * drawn_half) << i << k;
+      EXPECT_TRUE(drawn_half < half_axes[k] + 1e-5 * drawn_half || drawn_half < 1.0) << i << k;
+    }
+  }
+  stage_.app().session().playback.set_position(11);
+  stage_.settle();
+  EXPECT_NE(stage_.app().scene().ellipsoids[0].center, drawn[0].center);
+  stage_.app().run_command("view.solids", {{"on", false}});
+  stage_.settle();
+  EXPECT_TRUE(stage_.app().scene().ellipsoids.empty());
+}
+
 TEST(Plots, AllocateNothingWhilePlaying) {
   AppStage stage;
   stage.open_sample("walk");
-  for (const char* command : {"analysis.layout", "view.com", "view.arrows.velocity", "view.arrows.force"}) stage.app().run_command(command, nullptr);
+  for (const char* command : {"analysis.layout", "view.com", "view.solids", "view.arrows.velocity", "view.arrows.force"}) stage.app().run_command(command, nullptr);
   stage.wait(10.0);
   stage.settle();
   stage.app().run_command("play.toggle", nullptr);

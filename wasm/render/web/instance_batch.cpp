@@ -67,6 +67,15 @@ void InstanceBatch::create_balls(const Mesh& mesh) {
   glBindVertexArray(0);
 }
 
+void InstanceBatch::create_ellipsoids(const Mesh& ball) {
+  begin(ball);
+  constexpr std::size_t kStride = sizeof(SceneEllipsoid);
+  set_attribute(3, 3, kStride, offsetof(SceneEllipsoid, center), 1);
+  for (GLuint i = 0; i < 3; ++i) set_attribute(4 + i, 3, kStride, offsetof(SceneEllipsoid, axes) + i * sizeof(glm::vec3), 1);
+  set_attribute(7, 4, kStride, offsetof(SceneEllipsoid, color), 1);
+  glBindVertexArray(0);
+}
+
 void InstanceBatch::upload(const void* data, std::size_t count, std::size_t size_bytes) {
   count_ = static_cast<GLsizei>(count);
   if (count_ > 0) instances_.upload(data, count * size_bytes);

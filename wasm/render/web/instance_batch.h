@@ -26,14 +26,16 @@ class Mesh {
   bool is_bone_ = false;
 };
 
-/// One mesh at many places: bones or balls. The mesh outlives the batch.
+/// One mesh at many places: bones, balls or ellipsoids. The mesh outlives the batch.
 class InstanceBatch {
  public:
   void create_bones(const Mesh& mesh);
   void create_balls(const Mesh& mesh);
+  void create_ellipsoids(const Mesh& ball);
 
   void set(std::span<const SceneBone> bones) { upload(bones.data(), bones.size(), sizeof(SceneBone)); }
   void set(std::span<const SceneBall> balls) { upload(balls.data(), balls.size(), sizeof(SceneBall)); }
+  void set(std::span<const SceneEllipsoid> all) { upload(all.data(), all.size(), sizeof(SceneEllipsoid)); }
   /// Draws with the program in use; nothing when the batch is empty.
   void draw() const;
   [[nodiscard]] bool empty() const { return count_ == 0; }

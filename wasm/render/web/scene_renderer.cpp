@@ -84,6 +84,7 @@ struct SceneRenderer::Passes {
     solids.draw_faded();
     solids.draw_figure();
     solids.draw_outlines(scene.outline_width * pixels_per_unit);
+    solids.draw_ellipsoids();
     lines.draw(scene, pixels_per_unit);
   }
 };

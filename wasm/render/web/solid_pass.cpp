@@ -17,6 +17,17 @@ ProgramSource solid_source(const char* name, const char* defines) {
   return {name, defines, {kFrameBlock, kSolidShape, kSolidVertex}, {kFrameBlock, kColorSpace, kSolidFragment}};
 }
 
+// Depth first, so that where solids overlap only the nearest is blended and the picture does not clot.
+template <typename Draw>
+void blend_once(const Draw& draw) {
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glEnable(GL_BLEND);
+  draw();
+  glDisable(GL_BLEND);
+}
+
 }  // namespace
 
 Status SolidPass::start() {
@@ -27,6 +38,7 @@ Status SolidPass::start() {
       {&ball_edge_, solid_source("joint outlines", "#define BALL\n#define EDGE\n")},
       {&bone_faded_, solid_source("strobe bones", "#define BONE\n#define FADED\n")},
       {&ball_faded_, solid_source("strobe joints", "#define BALL\n#define FADED\n")},
+      {&ellipsoid_faded_, solid_source("segments", "#define ELLIPSOID\n#define FADED\n")},
   };
   for (const auto& [program, source] : programs) {
     if (Status status = program->build(source); !status) return status;
@@ -43,6 +55,7 @@ Status SolidPass::start() {
   faded_balls_.create_balls(ball_mesh_);
   balls_.create_balls(ball_mesh_);
   outlined_balls_.create_balls(ball_mesh_);
+  ellipsoids_.create_ellipsoids(ball_mesh_);
   return {};
 }
 
@@ -51,6 +64,7 @@ void SolidPass::upload(const Scene& scene) {
   balls_.set(scene.balls);
   outlined_bones_.set(scene.outlined_bones);
   outlined_balls_.set(scene.outlined_balls);
+  ellipsoids_.set(scene.ellipsoids);
   if (faded_known_ && faded_revision_ == scene.faded_revision) return;
   faded_bones_.set(scene.faded_bones);
   faded_balls_.set(scene.faded_balls);
@@ -60,23 +74,16 @@ void SolidPass::upload(const Scene& scene) {
 
 void SolidPass::draw_faded() const {
   if (faded_bones_.empty() && faded_balls_.empty()) return;
-  const auto draw_all = [this] {
-    bone_faded_.use();
-    faded_bones_.draw();
-    ball_faded_.use();
-    faded_balls_.draw();
-  };
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   glDepthMask(GL_TRUE);
   glEnable(GL_CULL_FACE);
-  // Depth first, so that where poses overlap only the nearest is blended and the picture does not clot.
-  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  draw_all();
-  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  glEnable(GL_BLEND);
-  draw_all();
-  glDisable(GL_BLEND);
+  blend_once([this] {
+    bone_faded_.use();
+    faded_bones_.draw();
+    ball_faded_.use();
+    faded_balls_.draw();
+  });
   glClear(GL_DEPTH_BUFFER_BIT);
 }
 
@@ -103,6 +110,19 @@ void SolidPass::draw_outlines(float width_pixels) const {
   glUniform1f(ball_edge_width_, width_pixels);
   outlined_balls_.draw();
   glCullFace(GL_BACK);
+}
+
+void SolidPass::draw_ellipsoids() const {
+  if (ellipsoids_.empty()) return;
+  blend_once([this] {
+    ellipsoid_faded_.use();
+    ellipsoids_.draw();
+  });
+  // Lines are to be seen in them, and hidden by bones as ever.
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  draw_figure();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 void SolidPass::draw_casters(const Program& bone_program, const Program& ball_program) const {

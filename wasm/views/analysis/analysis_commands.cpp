@@ -160,6 +160,8 @@ void add_arrow_switches(CommandRegistry& registry, Workspace& workspace) {
   const auto arrow = [&](BodyArrow kind) -> bool& { return shown.arrows[static_cast<int>(kind)]; };
   add({.id = "view.com", .label = "Centre of mass", .help = "Draws the centre of mass, its path and its place on the ground.",
        .icon = icons::kTarget}, shown.com);
+  add({.id = "view.solids", .label = "Segments as solids", .help = "Draws each segment as the ellipsoid of even density with its mass and inertia."},
+      workspace.preferences.options.show_solids);
   add({.id = "view.arrows.velocity", .label = "Velocity arrows", .help = "Draws the velocities of the selected joints, or of all."},
       arrow(BodyArrow::Velocity));
   add({.id = "view.arrows.acceleration", .label = "Acceleration arrows", .help = "Draws the accelerations of the selected joints, or of all."},

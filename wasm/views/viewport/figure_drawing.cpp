@@ -67,6 +67,8 @@ glm::vec4 scene_color(ImU32 color, float alpha) {
   return {parts.x, parts.y, parts.z, parts.w * alpha};
 }
 
+glm::vec4 side_color(const Theme& theme, BodySide side) { return make_palette(theme).sides[static_cast<int>(side)]; }
+
 void add_figure(const FigureShape& shape, const WorldPose& pose, const Selection& selection, JointIndex hovered,
                 const Theme& theme, Scene& scene) {
   const Palette palette = make_palette(theme);

@@ -13,6 +13,9 @@ namespace marey::app {
 /// Theme colour as the renderer takes it.
 [[nodiscard]] glm::vec4 scene_color(ImU32 color, float alpha = 1.0f);
 
+/// What solids of a side of the body are painted in.
+[[nodiscard]] glm::vec4 side_color(const Theme& theme, BodySide side);
+
 /// Adds the figure in `pose` to the solids of the scene: sides of the body by colour, `hovered` brighter, selected
 /// joints in the selection colour with their bones outlined.
 void add_figure(const FigureShape& shape, const WorldPose& pose, const Selection& selection, JointIndex hovered,

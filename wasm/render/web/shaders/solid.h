@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bones and balls. Defines: BONE or BALL for the shape; EDGE (outline) or FADED (strobe pose) for the look, none for lit.
+/// Bones, balls and ellipsoids. Defines: BONE, BALL or ELLIPSOID for the shape; EDGE (outline) or FADED (strobe pose) for the look, none for lit.
 /// Vertex stages are kFrameBlock, kSolidShape, then kSolidVertex or kShadowVertex.
 namespace marey::app::gl {
 
@@ -23,6 +23,19 @@ void place(out vec3 world, out vec3 normal) {
   vec3 outwards = a_side * a_section.z + across * a_section.w;
   world = a_from + along * a_along_outline.x + section * a_radius;
   normal = normalize(outwards * (a_along_outline.y * bone_length) - axis * (a_along_outline.z * a_radius));
+}
+#elif defined(ELLIPSOID)
+layout(location = 0) in vec3 a_point;
+layout(location = 3) in vec3 a_center;
+layout(location = 4) in vec3 a_axis_x;
+layout(location = 5) in vec3 a_axis_y;
+layout(location = 6) in vec3 a_axis_z;
+layout(location = 7) in vec4 a_color;
+
+void place(out vec3 world, out vec3 normal) {
+  normal = normalize(a_axis_x * (a_point.x / dot(a_axis_x, a_axis_x)) + a_axis_y * (a_point.y / dot(a_axis_y, a_axis_y)) +
+                     a_axis_z * (a_point.z / dot(a_axis_z, a_axis_z)));
+  world = a_center + a_axis_x * a_point.x + a_axis_y * a_point.y + a_axis_z * a_point.z;
 }
 #else
 layout(location = 0) in vec3 a_point;
