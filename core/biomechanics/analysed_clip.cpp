@@ -17,7 +17,7 @@ AnalysedClip::AnalysedClip(const Clip& clip, const AnalysisRequest& request, Bod
 
 SettledSupport AnalysedClip::settle_support() const {
   const Skeleton& skeleton = clip_.skeleton;
-  SettledSupport support{request_.support, false, find_contacts(body_, skeleton, clip_.settings.up_axis)};
+  SettledSupport support{request_.support, false, apply_own_contacts(find_contacts(body_, skeleton, clip_.settings.up_axis), request_.contacts)};
   if (support.kind != SupportKind::Auto) return support;
   support.kind = roots_stand_still(body_, skeleton) ? SupportKind::Pivot : SupportKind::Ground;
   support.follows_contacts = support.kind == SupportKind::Ground;

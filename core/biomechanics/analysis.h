@@ -20,6 +20,7 @@ struct AnalysisRequest {
   SupportKind support = SupportKind::Auto;
   Derivation derivation;
   std::optional<double> frame_time_s;  ///< in place of the clip's
+  std::vector<OwnContact> contacts{};  ///< in place of what paths tell, where the body stands on the ground
   std::optional<SettledSupport> settled{};  ///< in place of looking for what `support` says
 };
 
@@ -34,7 +35,10 @@ struct AnalysisColumn {
 struct AnalysisTable {
   std::vector<AnalysisColumn> columns;
   std::vector<std::string> notes;  ///< sentences about what people should know of it
-  SettledSupport support;          ///< where something needed masses
+  std::optional<SettledSupport> support{};  ///< none where nothing needed masses
+
+  /// Those of the ground; null where something else holds the body.
+  [[nodiscard]] const Contacts* contacts() const { return support && support->kind == SupportKind::Ground ? &support->contacts : nullptr; }
 };
 
 /// World axes, SI, one column per component:

@@ -72,7 +72,7 @@ Status update_analysis(const Clip& clip, const AnalysisRequest& request, FrameRa
   part.settings = clip.settings;
   part.motion = clip.motion.frames_of(window);
   AnalysisRequest of_part = request;
-  if (!table.support.contacts.down.empty()) of_part.settled = table.support.of_frames(window);
+  if (table.support) of_part.settled = table.support->of_frames(window);
   const Result<AnalysisTable> fresh = analyse(part, of_part);
   if (!fresh) return fresh.error();
   for (std::size_t c = 0; c < std::min(table.columns.size(), fresh->columns.size()); ++c) {

@@ -150,7 +150,7 @@ Result<Plausibility> judge(const Clip& clip, const BodyModel& model, const Deriv
     judge_energy(states, frame_time, found);
     return found;
   }
-  const Contacts contacts = find_contacts(*body, clip.skeleton, clip.settings.up_axis);
+  const Contacts contacts = apply_own_contacts(find_contacts(*body, clip.skeleton, clip.settings.up_axis), clip.body.contacts);
   judge_flight(states, contacts, up, found);
   judge_floor(*body, contacts, up, found);
   return found;

@@ -1,5 +1,7 @@
 #include "core/biomechanics/support.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,15 +22,10 @@ glm::dvec3 unit_of(Axis axis) {
 }
 
 std::vector<ContactPoint> find_points(const BodyMotion& body, const Skeleton& skeleton) {
-  std::vector<std::uint8_t> has_child(idx(skeleton.node_count()), 0);
-  for (const Node& node : skeleton.nodes()) {
-    if (node.parent != kNoParent) has_child[idx(node.parent)] = 1;
-  }
   std::vector<ContactPoint> points;
-  for (NodeIndex n = 0; n < skeleton.node_count(); ++n) {
+  for (const NodeIndex n : find_contact_nodes(skeleton, kNoParent)) {
     const Node& node = skeleton.node(n);
-    if (has_child[idx(n)] != 0) continue;
-    points.push_back({node.joint, node.is_end_site ? body.metres_per_unit * node.offset : glm::dvec3(0.0)});
+    points.push_back({node.joint, node.is_end_site ? body.metres_per_unit * node.offset : glm::dvec3(0.0), n});
   }
   return points;
 }
@@ -113,6 +110,49 @@ Contacts find_contacts(const BodyMotion& body, const Skeleton& skeleton, Axis up
     const auto down = find_contact(body, contacts.points[point], axis, contacts.floor_m, limits);
     for (std::size_t frame = 0; frame < down.size(); ++frame) contacts.down[frame * contacts.points.size() + point] = down[frame];
   }
+  return contacts;
+}
+
+Contacts apply_own_contacts(Contacts found, std::span<const OwnContact> own) {
+  const std::size_t count = found.points.size();
+  const int frame_count = count == 0 ? 0 : size_of(found.down) / size_of(found.points);
+  for (const OwnContact& contact : own) {
+    for (std::size_t point = 0; point < count; ++point) {
+      if (found.points[point].node != contact.node) continue;
+      for (FrameIndex frame = std::max(contact.first, 0); frame <= std::min(contact.last, frame_count - 1); ++frame) {
+        found.down[idx(frame) * count + point] = contact.touches ? 1 : 0;
+      }
+    }
+  }
+  return found;
+}
+
+std::vector<NodeIndex> find_contact_nodes(const Skeleton& skeleton, NodeIndex node) {
+  enum : std::uint8_t { kOutside, kInside, kInner };
+  std::vector<std::uint8_t> places(idx(skeleton.node_count()), node == kNoParent ? kInside : kOutside);
+  if (node >= 0 && node < skeleton.node_count()) places[idx(node)] = kInside;
+  for (NodeIndex n = 0; n < skeleton.node_count(); ++n) {
+    const NodeIndex parent = skeleton.node(n).parent;
+    if (parent == kNoParent || places[idx(parent)] == kOutside) continue;
+    places[idx(parent)] = kInner;
+    places[idx(n)] = kInside;
+  }
+  std::vector<NodeIndex> nodes;
+  for (NodeIndex n = 0; n < skeleton.node_count(); ++n) {
+    if (places[idx(n)] == kInside) nodes.push_back(n);
+  }
+  return nodes;
+}
+
+Result<std::vector<OwnContact>> make_own_contacts(const Skeleton& skeleton, std::string_view label, FrameIndex first, FrameIndex last,
+                                                  bool touches) {
+  const auto refusal = [](std::string message) { return Error{DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}}; };
+  NodeIndex node = 0;
+  while (node < skeleton.node_count() && node_label(skeleton, node) != label) ++node;
+  if (node == skeleton.node_count()) return refusal(fmt::format("There is no joint '{}' and no such end site.", label));
+  if (first < 0 || last < first) return refusal(fmt::format("The frames of the contact of '{}' do not follow one another.", label));
+  std::vector<OwnContact> contacts;
+  for (const NodeIndex n : find_contact_nodes(skeleton, node)) contacts.push_back({n, first, last, touches});
   return contacts;
 }
 

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/biomechanics/mechanics.h"
 #include "core/math/axis.h"
+#include "core/motion/body_choice.h"
 #include "core/motion/motion.h"
 
 namespace marey {
@@ -23,6 +25,7 @@ enum class SupportKind {
 struct ContactPoint {
   JointIndex joint = 0;       ///< whose segment it belongs to
   glm::dvec3 local_m{0.0};    ///< from the joint's origin, in its axes
+  NodeIndex node = 0;         ///< the joint itself, or its end site
 };
 
 /// When a point touches the floor: near it and slow, with other limits for ending than for beginning.
@@ -61,6 +64,19 @@ struct SettledSupport {
 /// The floor is the height that the lowest point of the body has in most frames: the median of the lowest heights of frames in
 /// which that point is slow, the lowest height of all if it never is.
 [[nodiscard]] Contacts find_contacts(const BodyMotion& body, const Skeleton& skeleton, Axis up, const ContactLimits& limits = {});
+
+/// The contacts with what people say of them in place of what was found, the later word counting where two differ. Frames and
+/// points that there are not are passed over.
+[[nodiscard]] Contacts apply_own_contacts(Contacts found, std::span<const OwnContact> own);
+
+/// The points that can touch the floor at a node and beneath it, or of the whole figure with kNoParent: nodes without children,
+/// rising.
+[[nodiscard]] std::vector<NodeIndex> find_contact_nodes(const Skeleton& skeleton, NodeIndex node);
+
+/// One for each point at and beneath the first node that node_label() names so. Errors: InvalidArgument where there is none, and
+/// for frames that do not follow one another.
+[[nodiscard]] Result<std::vector<OwnContact>> make_own_contacts(const Skeleton& skeleton, std::string_view label, FrameIndex first,
+                                                                FrameIndex last, bool touches);
 
 /// Whether no root moves by more than a thousandth of the figure's stature.
 [[nodiscard]] bool roots_stand_still(const BodyMotion& body, const Skeleton& skeleton);

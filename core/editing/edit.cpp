@@ -119,6 +119,20 @@ Status check_scalars(const Edit& edit) {
   return {};
 }
 
+Status check_contacts(const std::vector<OwnContact>& contacts, const Skeleton& skeleton, int frame_count) {
+  const OwnContact* before = nullptr;
+  for (const OwnContact& contact : contacts) {
+    const bool is_in_clip = contact.node >= 0 && contact.node < skeleton.node_count() && contact.first >= 0 &&
+                            contact.last >= contact.first && contact.last < frame_count;
+    const bool is_behind = before == nullptr || before->node < contact.node || (before->node == contact.node && before->last < contact.first);
+    if (!is_in_clip || !is_behind) {
+      return refusal(DiagnosticCode::InvalidArgument, "A contact is of a point of the figure and of frames of the clip, one behind the other.");
+    }
+    before = &contact;
+  }
+  return {};
+}
+
 Status check_body(const BodyChoice& body, int joint_count) {
   if (body.mass_kg && !is_positive(*body.mass_kg)) {
     return refusal(DiagnosticCode::InvalidArgument, "The mass of the body must be more than 0 kg.");
@@ -256,6 +270,8 @@ Status check_edit(const Clip& clip, const Edit& edit) {
   if (Status status = check_scalars(edit); !status) return status;
   const Skeleton& skeleton = edit.figure ? edit.figure->skeleton : clip.skeleton;
   if (Status status = edit.body ? check_body(*edit.body, skeleton.joint_count()) : Status{}; !status) return status;
+  const int frame_count = clip.motion.frame_count() + (edit.frames ? edit.frames->inserted.frame_count() - edit.frames->removed.count : 0);
+  if (Status status = edit.body ? check_contacts(edit.body->contacts, skeleton, frame_count) : Status{}; !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
     return refusal(DiagnosticCode::InvalidArgument, "The change gives two values to the same place.");
   }
@@ -332,7 +348,7 @@ std::size_t edit_bytes(const Edit& edit) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
   if (edit.stack) bytes += unshared_bytes(*edit.stack);
-  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass);
+  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass) + edit.body->contacts.size() * sizeof(OwnContact);
   return bytes;
 }
 

@@ -58,7 +58,8 @@ struct Edit {
 
 /// Whether `edit` fits the clip. Refused with InvalidArgument: an index or range outside of the clip, changes that
 /// overlap, a unit of length that is not positive, a figure that does not fit its samples or the clip's frames, keys that are
-/// no curve or of a channel that the clip does not have, masses that are none or of a joint that the figure does not have; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
+/// no curve or of a channel that the clip does not have, masses that are none or of a joint that the figure does not have, contacts
+/// that are out of order or of points or frames that there are not; with FrameTimeNotPositive or FrameTimeLooksLikeRate: what is no
 /// is_frame_time(); with NotFinite: an offset that is not finite, a sample that would stop being finite (one that is not
 /// finite already may stay so), and frames to insert with more such samples in a channel than those that give way.
 [[nodiscard]] Status check_edit(const Clip& clip, const Edit& edit);

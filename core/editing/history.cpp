@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/scope_exit.h"
+#include "core/editing/contact_edits.h"
 #include "core/editing/layer_edits.h"
 
 namespace marey {
@@ -12,7 +13,7 @@ namespace {
 // What of an edit is to be swapped into the clip.
 Result<Edit> prepare(const Clip& clip, Edit edit) {
   if (Status status = check_edit(clip, edit); !status) return status.error();
-  Result<Edit> fitting = fit_to_layers(clip, reduced_to_changes(clip, std::move(edit)));
+  Result<Edit> fitting = fit_to_layers(clip, carry_contacts(clip, reduced_to_changes(clip, std::move(edit))));
   if (!fitting) return fitting;
   return fitting->stack ? reduced_to_changes(clip, std::move(*fitting)) : std::move(*fitting);
 }

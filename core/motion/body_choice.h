@@ -23,11 +23,21 @@ struct OwnMass {
   friend bool operator==(const OwnMass&, const OwnMass&) = default;
 };
 
-/// What people have said of the masses of a figure; a BVH file has none.
+/// What people say of a point that can touch the floor, in place of what its path tells.
+struct OwnContact {
+  NodeIndex node = 0;    ///< a node without children
+  FrameIndex first = 0;
+  FrameIndex last = 0;   ///< >= first; the frame belongs to it
+  bool touches = true;
+  friend bool operator==(const OwnContact&, const OwnContact&) = default;
+};
+
+/// What people have said of the masses of a figure and of its contacts with the floor; a BVH file has neither.
 struct BodyChoice {
   std::optional<BodyTable> table;  ///< none: de Leva, male, where the joints tell a human body, else rods
   std::optional<double> mass_kg;   ///< > 0; none: that of the table's average subject
   std::vector<OwnMass> own{};      ///< rising by joint
+  std::vector<OwnContact> contacts{};  ///< rising by node, then by frame; none overlaps another
   friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
 };
 

@@ -62,10 +62,13 @@ Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft
     }
   }
   // Joints are known by their numbers, which are others now.
-  if (!call.clip.body.own.empty() && !are_same_nodes(origins, call.clip.skeleton)) {
-    outcome.edit.body = call.clip.body;
+  const BodyChoice& body = call.clip.body;
+  if (!(body.own.empty() && body.contacts.empty()) && !are_same_nodes(origins, call.clip.skeleton)) {
+    if (!body.own.empty()) outcome.notes.emplace_back("Masses that were typed in for segments are those of the table again.");
+    if (!body.contacts.empty()) outcome.notes.emplace_back("Contacts that were corrected are those of the motion again.");
+    outcome.edit.body = body;
     outcome.edit.body->own.clear();
-    outcome.notes.emplace_back("Masses that were typed in for segments are those of the table again.");
+    outcome.edit.body->contacts.clear();
   }
   outcome.edit.name = call.operation.label;
   outcome.edit.figure = std::move(*figure);

@@ -76,7 +76,7 @@ TEST(AnalysisUpdate, KeepsWhatHoldsTheBody) {
   request.quantities = {"reaction", "torque:*", "cop"};
   request.model = make_random_model(clip.skeleton, 3);
   AnalysisTable table = table_of(clip, request);
-  const SettledSupport before = table.support;
+  const SettledSupport before = *table.support;
   bend(clip, {50, 20}, 0.5);
   ASSERT_TRUE(update_analysis(clip, request, {50, 20}, table));
   request.settled = before;
