@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -30,6 +31,8 @@ struct AnalyseOptions {
   std::string support = "auto";
   std::string derivative = "central";
   std::optional<double> frame_time_s;
+  std::vector<std::string> contacts;     ///< "JOINT:FIRST:LAST", frames from 1
+  std::vector<std::string> no_contacts;
   std::string output = "-";
 };
 
@@ -78,6 +81,32 @@ std::optional<BodyModel> make_body(const AnalyseOptions& options, const Clip& cl
   return std::move(body->model);
 }
 
+/// Adds what is said of contacts; false if it cannot be understood, which has been reported. A joint's name may hold colons.
+bool add_contacts(const std::vector<std::string>& texts, bool touches, const Skeleton& skeleton, std::vector<OwnContact>& contacts) {
+  for (const std::string& text : texts) {
+    const std::size_t last = text.rfind(':');
+    const std::size_t first = last == 0 || last == std::string::npos ? std::string::npos : text.rfind(':', last - 1);
+    const auto frame_at = [&](std::size_t begin, std::size_t end) {
+      FrameIndex frame = 0;
+      const auto [stop, error] = std::from_chars(text.data() + begin, text.data() + end, frame);
+      return error == std::errc() && stop == text.data() + end ? frame : 0;
+    };
+    const bool has_frames = first != std::string::npos && frame_at(first + 1, last) > 0 && frame_at(last + 1, text.size()) > 0;
+    if (!has_frames) {
+      report_usage_error(fmt::format("'{}' is no contact: write JOINT:FIRST:LAST, frames from 1.", text));
+      return false;
+    }
+    const auto found = make_own_contacts(skeleton, std::string_view(text).substr(0, first), frame_at(first + 1, last) - 1,
+                                         frame_at(last + 1, text.size()) - 1, touches);
+    if (!found) {
+      report_usage_error(found.error().message);
+      return false;
+    }
+    contacts.insert(contacts.end(), found->begin(), found->end());
+  }
+  return true;
+}
+
 /// What is wanted; nothing if it cannot be understood, which has been reported.
 std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const Clip& clip) {
   AnalysisRequest request;
@@ -90,6 +119,9 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
     return std::nullopt;
   }
   request.derivation = *derivation;
+  const bool understood = add_contacts(options.contacts, true, clip.skeleton, request.contacts) &&
+                          add_contacts(options.no_contacts, false, clip.skeleton, request.contacts);
+  if (!understood) return std::nullopt;
   if (!options.body.empty()) {
     request.model = make_body(options, clip);
     return request.model ? std::optional(std::move(request)) : std::nullopt;
@@ -147,6 +179,12 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
       ->capture_default_str();
   command->add_option("--frame-time", options->frame_time_s, "Seconds per frame, in place of the file's")
       ->check(CLI::Range(1e-9, 1e9));
+  command->add_option("--contact", options->contacts, "JOINT:FIRST:LAST, frames from 1: what hangs on the joint touches the floor in them")
+      ->expected(1)
+      ->take_all();
+  command->add_option("--no-contact", options->no_contacts, "The same where it does not, whatever the motion tells")
+      ->expected(1)
+      ->take_all();
   command->add_option("-o,--output", options->output, "CSV file to write; standard output by default");
   command->callback([options, &exit_code] { exit_code = run_analyse(*options); });
 }

@@ -73,6 +73,21 @@ describe("marey analyse", () => {
     assert.equal(rods.status, 0, rods.stderr);
   });
 
+  test("takes contacts as they are said", () => {
+    const analyse = (...args) => {
+      const { status, stdout, stderr } = run(["analyse", sample("walk"), "-q", "reaction", "--body", "deleva-male", ...args]);
+      assert.equal(status, 0, stderr);
+      return stdout.trimEnd().split("\n").slice(1).map((line) => Number(line.split(",")[3]));
+    };
+    const detected = analyse();
+    const middle = detected.length >> 1;
+    assert.ok(detected[middle] > 100, `${detected[middle]}`);
+    const none = analyse("--no-contact", `Hips:1:${middle + 1}`);
+    assert.ok(none.slice(1, middle + 1).every((force) => force === 0));
+    assert.deepEqual(none.slice(middle + 1), detected.slice(middle + 1));
+    assert.deepEqual(analyse("--contact", "Hips:2:3", "--contact", "Hips:5:6", "--no-contact", `Hips:1:${middle + 1}`), none);
+  });
+
   test("says what is wrong", () => {
     const broken = scratch("broken.json", `{"segments": [{"joint": "Arms"`);
     const noJoint = scratch("no_joint.json", JSON.stringify({ segments: [{ joint: "Head", mass_kg: 1, com_m: [0, 0, 0] }] }));
@@ -86,6 +101,10 @@ describe("marey analyse", () => {
       [["-q", "velocity:*", "--derivative", "spline"], /'spline' is not a way to differentiate/],
       [["-q", "velocity:*", "--support", "rope"], /rope/],
       [["-q", "velocity:*", "--frame-time", "0"], /frame-time/],
+      [["-q", "angle:*", "--contact", "Legs"], /'Legs' is no contact: write JOINT:FIRST:LAST/],
+      [["-q", "angle:*", "--contact", "Legs:0:3"], /'Legs:0:3' is no contact/],
+      [["-q", "angle:*", "--no-contact", "Legs:5:3"], /do not follow one another/],
+      [["-q", "angle:*", "--no-contact", "Tail:1:3"], /There is no joint 'Tail'/],
     ]) {
       refused(["analyse", swing, ...args], pattern);
     }
@@ -118,6 +137,15 @@ describe("clip.analyse", () => {
     assert.equal(code(() => clip.analyse({ quantities: ["com"], model: {} })), "invalid_argument");
     assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], support: "rope" })), "invalid_argument");
     assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], frameTime: -1 })), "invalid_argument");
+    const walk = marey.parse(readFileSync(sample("walk")));
+    const reaction = (contacts) => walk.analyse({ quantities: ["reaction"], body: "rods", contacts }).columns[1].values;
+    assert.ok(reaction()[90] > 100);
+    assert.equal(reaction([{ joint: "Hips", first: 80, last: 95, touches: false }])[90], 0);
+    assert.equal(reaction([{ joint: "Hips", first: 80, last: 95, touches: false }])[96], reaction()[96]);
+    for (const contacts of [[{ joint: "Hips" }], [{ joint: 5, first: 1, last: 2 }], [{ joint: "Tail", first: 1, last: 2 }], [{ joint: "Hips", first: 2, last: 1 }]]) {
+      assert.equal(code(() => reaction(contacts)), "invalid_argument");
+    }
+    walk.dispose();
     for (const name of ["body", "support", "derivative"]) {
       assert.equal(code(() => clip.analyse({ quantities: ["angle:*"], [name]: 5 })), "invalid_argument", name);
     }

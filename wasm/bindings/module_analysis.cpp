@@ -16,8 +16,8 @@ using nlohmann::json;
 
 marey::Error refusal(std::string message) { return {marey::DiagnosticCode::InvalidArgument, {}, std::move(message), {}, {}}; }
 
-/// {"quantities": [...], "model": {...} or "body": "rods" and "mass": 70, "support": "auto", "derivative": "central", "frameTime": 0.01}; all but the first may be
-/// missing.
+/// {"quantities": [...], "model": {...} or "body": "rods" and "mass": 70, "support": "auto", "derivative": "central", "frameTime": 0.01,
+/// "contacts": [{"joint": "LeftToe", "first": 10, "last": 20, "touches": false}]}; all but the first may be missing.
 Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::Clip& clip) {
   const json read = json::parse(text);  // it was made by JSON.stringify
   marey::AnalysisRequest request;
@@ -28,6 +28,12 @@ Result<marey::AnalysisRequest> read_request(std::string_view text, const marey::
   const Result<marey::Derivation> derivation = marey::parse_derivation(read.value("derivative", "central"));
   if (!derivation) return derivation.error();
   request.derivation = *derivation;
+  for (const json& contact : read.value("contacts", json::array())) {
+    const auto made = marey::make_own_contacts(clip.skeleton, contact.at("joint").get<std::string>(), contact.at("first").get<int>(),
+                                               contact.at("last").get<int>(), contact.value("touches", true));
+    if (!made) return made.error();
+    request.contacts.insert(request.contacts.end(), made->begin(), made->end());
+  }
   if (read.contains("frameTime")) request.frame_time_s = read.at("frameTime").get<double>();
   if (read.contains("body")) {
     const marey::BodyTable* table = marey::find_body_table(read.at("body").get<std::string>());

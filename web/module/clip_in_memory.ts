@@ -154,6 +154,13 @@ export class ClipInMemory implements Clip {
     if (options.frameTime !== undefined && !(options.frameTime > 0 && Number.isFinite(options.frameTime))) {
       throw new MareyError("invalid_argument", "The frame time is a number of seconds above 0.");
     }
+    for (const contact of options.contacts ?? []) {
+      const isFrame = (frame: unknown) => Number.isInteger(frame) && (frame as number) >= 0 && (frame as number) < 2 ** 31;
+      const fits = isFrame(contact.first) && isFrame(contact.last) && ["boolean", "undefined"].includes(typeof contact.touches);
+      if (typeof contact.joint !== "string" || !fits) {
+        throw new MareyError("invalid_argument", "A contact is { joint, first, last, touches }, frames from 0.");
+      }
+    }
     if (options.mass !== undefined && !(options.mass > 0 && Number.isFinite(options.mass))) {
       throw new MareyError("invalid_argument", "The mass is a number of kilograms above 0.");
     }

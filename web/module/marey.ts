@@ -136,6 +136,18 @@ export interface BodyModel {
   segments: readonly BodySegment[];
 }
 
+/** What holds of the points that hang on a joint, or of an end site, in place of what their paths tell. */
+export interface OwnContact {
+  /** Name of the joint, or "NAME_end" of its end site. */
+  joint: string;
+  /** From 0. */
+  first: number;
+  /** Belongs to it. */
+  last: number;
+  /** Whether they touch the floor; by default true. */
+  touches?: boolean;
+}
+
 export interface AnalyseOptions {
   /** "torque:Body", "velocity:*", "position:Hand+0/0.1/0@Hips", "com" ... */
   quantities: readonly string[];
@@ -151,6 +163,8 @@ export interface AnalyseOptions {
   derivative?: string;
   /** Seconds per frame, in place of the file's. */
   frameTime?: number;
+  /** Contacts with the floor; of two that differ the later counts. */
+  contacts?: readonly OwnContact[];
 }
 
 export interface Analysis {
