@@ -184,6 +184,7 @@ void Analysis::add_other(const Motion& motion, AnalysisRequest request) {
     other_key_ = key;
     other_lines_.assign(plots_.size(), {});
     request.model.reset();
+    request.contacts = other.body.contacts;
     if (Result<ChosenBody> body = find_chosen_body(other)) request.model = std::move(body->body.model);
     for (std::size_t i = 0; i < plots_.size(); ++i) {
       const Quantity& quantity = *plots_[i].choice.quantity;
@@ -240,6 +241,7 @@ void Analysis::compute(const Session& session) {
   problem_.clear();
   notes_.clear();
   table_ = {};
+  contacts_.clear();
   metres_per_unit_ = clip.settings.metres_per_unit;
   make_plots(session);
   const bool wants_body = key_.arrows.any() || needs_body(plots_);
@@ -251,6 +253,7 @@ void Analysis::compute(const Session& session) {
   AnalysisRequest request;
   request.support = support;
   request.derivation = derivation;
+  request.contacts = clip.body.contacts;
   if (wants_body && body_) request.model = body_->body.model;
   if (key_.shows_plots) request.asked = asked_by(plots_);
   request_ = request;
@@ -261,6 +264,7 @@ void Analysis::compute(const Session& session) {
     return;
   }
   table_ = std::move(*table);
+  contacts_ = make_contact_rows(clip.skeleton, table_.contacts, clip.body.contacts);
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
   take_lines();
@@ -293,6 +297,7 @@ void Analysis::clear() {
   known_ = false;
   plots_.clear();
   table_ = {};
+  contacts_.clear();
   problem_.clear();
   notes_.clear();
 }

@@ -12,6 +12,7 @@
 #include "core/biomechanics/quantity.h"
 #include "core/document/session.h"
 #include "wasm/app/analysis_plot.h"
+#include "wasm/app/contact_rows.h"
 #include "wasm/app/shown_arrows.h"
 
 namespace marey::app {
@@ -59,6 +60,8 @@ class Analysis {
   [[nodiscard]] double metres_per_unit() const { return metres_per_unit_; }
   /// Whether the numbers are those of this clip.
   [[nodiscard]] bool is_of(std::uint64_t clip_serial) const { return known_ && key_.clip_serial == clip_serial; }
+  /// What touches the floor; empty where nothing that was asked for needs to know, and where the body does not stand on ground.
+  [[nodiscard]] std::span<const ContactRow> contacts() const { return contacts_; }
   /// The whole result of what is plotted, SI.
   [[nodiscard]] const AnalysisTable& table() const { return table_; }
 
@@ -102,6 +105,7 @@ class Analysis {
   Key other_key_;  // what the lines of the other clip follow from, without the open clip's samples
   std::vector<std::vector<PlotLine>> other_lines_;  // of each plot, at the times of its own frames
   AnalysisTable table_;
+  std::vector<ContactRow> contacts_;
   std::optional<ChosenBody> body_;
   std::uint64_t body_clip_serial_ = 0;
   std::uint64_t body_revision_ = 0;

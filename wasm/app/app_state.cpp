@@ -139,7 +139,16 @@ json analysis_state(const Workspace& workspace) {
                      {"values", line_values(plot.lines, workspace.session.playback.frame())},
                      {"bands", band_values(plot.bands, workspace.session.playback.frame())}});
   }
+  json contacts = json::array();
+  for (const ContactRow& row : analysis.contacts()) {
+    json frames = json::array();
+    for (const ContactBar& bar : row.bars) {
+      frames.push_back({{"first", bar.first}, {"count", bar.last - bar.first + 1}, {"touches", bar.touches}, {"own", bar.is_own}});
+    }
+    contacts.push_back({{"point", row.name}, {"frames", std::move(frames)}});
+  }
   return {{"plots", std::move(plots)},
+          {"contacts", std::move(contacts)},
           {"derivative", describe(analysis.derivation)},
           {"support", support_name(analysis.support)},
           {"problem", optional_text(analysis.problem())},

@@ -27,7 +27,8 @@ constexpr std::string_view kView[] = {
     "view.projector", "view.performance"};
 
 constexpr std::string_view kAnalyse[] = {
-    "analysis.layout", "view.plots", "analysis.body", "file.open_other", "#In the view", "view.com", "view.solids", "view.arrows.velocity",
+    "analysis.layout", "view.plots", "analysis.body", "file.open_other", "#Contacts", "analysis.contact_on",
+    "analysis.contact_off", "analysis.contact_auto", "#In the view", "view.com", "view.solids", "view.arrows.velocity",
     "view.arrows.acceleration", "view.arrows.force", "view.arrows.torque", "view.arrows.angular_momentum", "view.arrows.reaction", "#Download",
     "analysis.save_csv", "analysis.save_svg", "analysis.save_png"};
 

@@ -199,6 +199,7 @@ void add_analysis_commands(CommandRegistry& registry, Workspace& workspace) {
                 .in_palette = false});
   add_downloads(registry, workspace);
   add_arrow_switches(registry, workspace);
+  add_contact_commands(registry, workspace);
 }
 
 }  // namespace marey::app

@@ -27,6 +27,8 @@ std::string write_plots_csv(const Session& session, const Analysis& analysis, st
                                  document.motion().frame_time_s(), describe(analysis.derivation),
                                  support_name(analysis.support), document.settings().metres_per_unit);
   if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
+  const std::vector<OwnContact>& contacts = document.clip().body.contacts;
+  if (!contacts.empty() && !analysis.contacts().empty()) text += fmt::format("# contacts: {} set by hand\n", contacts.size());
   for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);
   std::vector<NumberColumn> columns;
   for (const AnalysisColumn& column : analysis.table().columns) {

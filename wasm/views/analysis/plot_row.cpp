@@ -40,6 +40,16 @@ SmallText value_text(double value) {
   return SmallText("{}", tick_label(value, size >= 100.0 ? 1 : size >= 1.0 ? 2 : 3));
 }
 
+void zoom_by_wheel(ViewContext& context) {
+  const ImGuiIO& io = ImGui::GetIO();
+  TimeWindow& time = context.time_window;
+  const int frames = context.session.document.motion().frame_count();
+  const double turns = static_cast<double>(io.MouseWheel);
+  const double sideways = static_cast<double>(io.MouseWheelH) + (io.KeyShift ? turns : 0.0);
+  if (sideways != 0.0) time.pan(-0.1 * sideways * (time.last - time.first), frames);
+  else if (turns != 0.0) time.zoom(io.MousePos.x, std::pow(kWheelZoom, -turns), frames);
+}
+
 void PlotRow::follow(const AnalysisPlot& plot, std::uint64_t serial) {
   if (serial == serial_) return;
   serial_ = serial;
@@ -188,10 +198,7 @@ void PlotRow::handle_input(ViewContext& context, const AnalysisPlot& plot, int i
   }
   if (!ImGui::IsItemHovered()) return;
   context.status = "Drag to move the cursor. Wheel: zoom in time. Shift+wheel: pan.";
-  const double turns = static_cast<double>(io.MouseWheel);
-  const double sideways = static_cast<double>(io.MouseWheelH) + (io.KeyShift ? turns : 0.0);
-  if (sideways != 0.0) time.pan(-0.1 * sideways * (time.last - time.first), frames);
-  else if (turns != 0.0) time.zoom(io.MousePos.x, std::pow(kWheelZoom, -turns), frames);
+  zoom_by_wheel(context);
 }
 
 void PlotRow::draw(ViewContext& context, const AnalysisPlot& plot, std::uint64_t serial, int index, ImVec2 min, ImVec2 max) {

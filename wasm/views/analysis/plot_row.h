@@ -56,6 +56,9 @@ class PlotRow {
 /// Of a component; the accent where there is none.
 [[nodiscard]] ImU32 component_color(const Theme& theme, char component);
 
+/// Of what is hovered: the wheel zooms in time, with Shift and sideways it pans.
+void zoom_by_wheel(ViewContext& context);
+
 /// "12.34": as many decimals as three to four digits need.
 [[nodiscard]] SmallText value_text(double value);
 

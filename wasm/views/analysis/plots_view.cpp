@@ -12,6 +12,7 @@ namespace marey::app {
 namespace {
 
 constexpr float kLeastRowHeight = 64.0f;
+constexpr float kContactsShare = 0.4f;  // of the panel, at most
 constexpr float kLabelInset = 12.0f;
 constexpr float kLeastPlotWidth = 200.0f;
 constexpr const char* kAddList = "plots.add.list";
@@ -302,7 +303,11 @@ void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_w
     return;
   }
   switch (context.options.plot_mode) {
-    case PlotMode::OverTime: draw_rows(context, top, max); break;
+    case PlotMode::OverTime: {
+      const float height = contacts_.draw(context, top, {max.x, top.y + kContactsShare * (max.y - top.y)});
+      draw_rows(context, {top.x, top.y + height}, max);
+      break;
+    }
     case PlotMode::AgainstFirst: draw_against(context, top, max); break;
     case PlotMode::Statistics: draw_statistics(context, top, max); break;
   }

@@ -4,11 +4,12 @@
 
 #include "wasm/app/view_context.h"
 #include "wasm/app/workspace.h"
+#include "wasm/views/analysis/contact_strip.h"
 #include "wasm/views/analysis/plot_row.h"
 
 namespace marey::app {
 
-/// The panel of quantities below the timeline: rows over time under the ruler, or each against the first, or the statistics
+/// The panel of quantities below the timeline: contacts and rows over time under the ruler, or each against the first, or the statistics
 /// of the range. On the left of each row stands what it is, of whom, and its values at the cursor.
 class PlotsView {
  public:
@@ -24,6 +25,7 @@ class PlotsView {
   void draw_buttons(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min);
   void draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const;
 
+  ContactStrip contacts_;
   std::vector<PlotRow> rows_;
 };
 
