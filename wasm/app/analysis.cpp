@@ -242,6 +242,7 @@ void Analysis::compute(const Session& session) {
   notes_.clear();
   table_ = {};
   contacts_.clear();
+  events_.clear();
   metres_per_unit_ = clip.settings.metres_per_unit;
   make_plots(session);
   const bool wants_body = key_.arrows.any() || needs_body(plots_);
@@ -264,7 +265,10 @@ void Analysis::compute(const Session& session) {
     return;
   }
   table_ = std::move(*table);
-  contacts_ = make_contact_rows(clip.skeleton, table_.contacts, clip.body.contacts);
+  if (const Contacts* contacts = table_.contacts()) {
+    contacts_ = make_contact_rows(clip.skeleton, *contacts, clip.body.contacts);
+    events_ = find_events(*contacts);
+  }
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
   take_lines();
@@ -298,6 +302,7 @@ void Analysis::clear() {
   plots_.clear();
   table_ = {};
   contacts_.clear();
+  events_.clear();
   problem_.clear();
   notes_.clear();
 }

@@ -9,6 +9,7 @@
 
 #include "core/biomechanics/analysis.h"
 #include "core/biomechanics/chosen_body.h"
+#include "core/biomechanics/motion_events.h"
 #include "core/biomechanics/quantity.h"
 #include "core/document/session.h"
 #include "wasm/app/analysis_plot.h"
@@ -62,6 +63,8 @@ class Analysis {
   [[nodiscard]] bool is_of(std::uint64_t clip_serial) const { return known_ && key_.clip_serial == clip_serial; }
   /// What touches the floor; empty where nothing that was asked for needs to know, and where the body does not stand on ground.
   [[nodiscard]] std::span<const ContactRow> contacts() const { return contacts_; }
+  /// When these contacts change, in the order of time.
+  [[nodiscard]] std::span<const MotionEvent> events() const { return events_; }
   /// The whole result of what is plotted, SI.
   [[nodiscard]] const AnalysisTable& table() const { return table_; }
 
@@ -106,6 +109,7 @@ class Analysis {
   std::vector<std::vector<PlotLine>> other_lines_;  // of each plot, at the times of its own frames
   AnalysisTable table_;
   std::vector<ContactRow> contacts_;
+  std::vector<MotionEvent> events_;
   std::optional<ChosenBody> body_;
   std::uint64_t body_clip_serial_ = 0;
   std::uint64_t body_revision_ = 0;

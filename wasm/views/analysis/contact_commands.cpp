@@ -39,6 +39,28 @@ json correct_contacts(Workspace& workspace, const json& args, std::optional<bool
   return {{"points", nodes.size()}, {"first", first}, {"count", count}};
 }
 
+const MotionEvent* find_event(const Workspace& workspace, bool ahead) {
+  const FrameIndex here = workspace.session.playback.frame();
+  const MotionEvent* found = nullptr;
+  for (const MotionEvent& event : workspace.analysis.events()) {
+    if (ahead && event.frame > here) return &event;
+    if (!ahead && event.frame < here) found = &event;
+  }
+  return found;
+}
+
+void add_event_command(CommandRegistry& registry, Workspace& workspace, Command command, bool ahead) {
+  command.run = [&workspace, ahead](const json&) -> json {
+    const MotionEvent* event = find_event(workspace, ahead);
+    workspace.session.playback.set_position(event->frame);
+    return {{"frame", event->frame}, {"event", describe(*event, workspace.session.document.skeleton())}};
+  };
+  command.blocked = [&workspace, ahead] {
+    return find_event(workspace, ahead) != nullptr ? "" : "No foot touches or leaves the ground there, as far as plots or arrows need to know.";
+  };
+  registry.add(std::move(command));
+}
+
 }  // namespace
 
 FrameRange contact_frames(const Session& session) {
@@ -62,6 +84,8 @@ void add_contact_commands(CommandRegistry& registry, Workspace& workspace) {
   add({.id = "analysis.contact_auto", .label = "Contacts as detected",
        .help = "Forgets what was said of contacts of the selected joints: in the selected samples, else the range, else this frame."},
       std::nullopt);
+  add_event_command(registry, workspace, {.id = "analysis.next_event", .label = "Next event", .help = "Goes to when a foot next touches or leaves the ground."}, true);
+  add_event_command(registry, workspace, {.id = "analysis.previous_event", .label = "Previous event", .help = "Goes to when a foot last touched or left the ground."}, false);
 }
 
 }  // namespace marey::app

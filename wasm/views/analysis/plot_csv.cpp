@@ -30,6 +30,9 @@ std::string write_plots_csv(const Session& session, const Analysis& analysis, st
   const std::vector<OwnContact>& contacts = document.clip().body.contacts;
   if (!contacts.empty() && !analysis.contacts().empty()) text += fmt::format("# contacts: {} set by hand\n", contacts.size());
   for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);
+  for (const MotionEvent& event : analysis.events()) {
+    text += fmt::format("# event: {:.6g} s, {}\n", event.frame * document.motion().frame_time_s(), describe(event, document.skeleton()));
+  }
   std::vector<NumberColumn> columns;
   for (const AnalysisColumn& column : analysis.table().columns) {
     const bool is_new = std::none_of(columns.begin(), columns.end(), [&](const NumberColumn& c) { return c.name == column.name; });

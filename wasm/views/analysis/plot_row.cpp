@@ -69,6 +69,10 @@ void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const 
   list.AddRectFilled(area_.min, area_.max, with_alpha(context.theme.app, 0.45f));
   draw_frame_grid(list, area_, context.time_window, context.theme);
   draw_value_grid(list, area_, axis_, context.theme, kValueRoom);
+  for (const MotionEvent& event : context.analysis.events()) {
+    const float x = std::round(context.time_window.x_of(event.frame)) + 0.5f;
+    if (x > area_.min.x && x < area_.max.x) list.AddLine({x, area_.min.y}, {x, area_.max.y}, with_alpha(context.theme.dim_text, 0.5f));
+  }
   if (plot.choice.quantity->level == DerivativeLevel::Pose || plot.lines.empty()) return;
   const Motion& motion = context.session.document.motion();
   const int reach = uncertain_end_frames(context.analysis.derivation, 1.0 / motion.frame_time_s());

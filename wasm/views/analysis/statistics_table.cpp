@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array kColumns = {"Quantity", "Of", "Unit", "Lowest", "at", "Highest", "at", "Mean", "RMS"};
 constexpr int kFirstNumber = 3;
+constexpr int kEventTime = 4;
 constexpr float kPadding = 12.0f;
 
 void draw_number(ViewContext& context, const SmallText& text) {
@@ -57,6 +58,22 @@ void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& l
   draw_number(context, value_text(found->rms));
 }
 
+// When a foot touches or leaves the ground, below the column of times.
+void draw_events(ViewContext& context, FrameRange range) {
+  const Document& document = context.session.document;
+  int row = 0;
+  for (const MotionEvent& event : context.analysis.events()) {
+    if (event.frame < range.first || event.frame >= range.end()) continue;
+    const std::string words = describe(event, document.skeleton());
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ui::elided_text(context, words, ImGui::GetContentRegionAvail().x, context.theme.text);
+    context.items.add_last(SmallText("plots.event.{}", row++), words);
+    ImGui::TableSetColumnIndex(kEventTime - 1);
+    draw_number(context, SmallText("{:.3f} s", event.frame * document.motion().frame_time_s()));
+  }
+}
+
 }  // namespace
 
 void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
@@ -75,6 +92,7 @@ void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
   for (const AnalysisPlot& plot : context.analysis.plots()) {
     for (const PlotLine& line : plot.lines) draw_line(context, plot, line, row++);
   }
+  draw_events(context, range);
   ImGui::EndTable();
   context.items.add_last("plots.statistics", SmallText("Frames {} to {}", range.first + 1, range.end()));
 }
