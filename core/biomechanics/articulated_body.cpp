@@ -29,12 +29,18 @@ void sweep(glm::dmat3& m, int k) {
   m[k][k] = -1.0 / pivot;
 }
 
-/// Of a symmetric matrix without negative directions: where some direction has nothing, the axes that are left out get 0, and
-/// the others solve what can be solved.
-glm::dmat3 inverse_of(glm::dmat3 m) {
+/// The inverse of a symmetric matrix without negative directions, and how many axes it has: where some direction has nothing,
+/// axes are left out and get 0, and the others solve what can be solved.
+struct Inverse {
+  glm::dmat3 matrix{0.0};
+  int axes = 0;
+};
+
+Inverse inverse_of(glm::dmat3 m) {
   const double least = kNothing * trace(m);
+  Inverse inverse;
   bool is_swept[3] = {};
-  for (int round = 0; round < 3; ++round) {
+  while (inverse.axes < 3) {
     int k = -1;
     for (int i = 0; i < 3; ++i) {
       if (!is_swept[i] && (k < 0 || m[i][i] > m[k][k])) k = i;
@@ -42,11 +48,14 @@ glm::dmat3 inverse_of(glm::dmat3 m) {
     if (!(m[k][k] > least)) break;
     sweep(m, k);
     is_swept[k] = true;
+    ++inverse.axes;
   }
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) m[i][j] = is_swept[i] && is_swept[j] ? -m[i][j] : 0.0;
+    for (int j = 0; j < 3; ++j) {
+      if (is_swept[i] && is_swept[j]) inverse.matrix[i][j] = -m[i][j];
+    }
   }
-  return m;
+  return inverse;
 }
 
 }  // namespace
@@ -99,13 +108,18 @@ void ArticulatedBody::find_gain(std::size_t i) {
   Work& work = work_[i];
   const glm::dmat3& turn = work.inertia.turn;
   work.gain = glm::dmat3(0.0);
+  work.gives_way = false;
   switch (links_[i].kind) {
     case LinkKind::Fixed: break;
-    case LinkKind::Slide: work.gain = inverse_of(work.inertia.shift); break;
-    case LinkKind::Ball:
-      // By its own axes, in which what has no inertia stays where it is.
-      work.gain = work.axes * inverse_of(glm::transpose(work.axes) * turn * work.axes) * glm::transpose(work.axes);
+    case LinkKind::Slide: work.gain = inverse_of(work.inertia.shift).matrix; break;
+    case LinkKind::Ball: {
+      const Inverse inverse = inverse_of(turn);
+      work.gives_way = inverse.axes == 3;
+      // By its own axes what has no inertia stays where it is.
+      work.gain = work.gives_way ? inverse.matrix
+                                 : work.axes * inverse_of(glm::transpose(work.axes) * turn * work.axes).matrix * glm::transpose(work.axes);
       break;
+    }
     case LinkKind::Hinge: {
       const glm::dvec3 axis = work.axes * links_[i].axis;
       const double moment = glm::dot(axis, turn * axis);
@@ -115,27 +129,37 @@ void ArticulatedBody::find_gain(std::size_t i) {
   }
 }
 
+// What is left of it once the joint gives way.
+ArticulatedBody::Inertia ArticulatedBody::left_of(const Work& work) const {
+  const auto& [turn, cross, shift, moment, force] = work.inertia;
+  const glm::dmat3 back_gain = glm::transpose(cross) * work.gain;
+  Inertia left;
+  left.shift = shift - back_gain * cross;
+  left.force = force - back_gain * moment + left.shift * work.shift_bias;
+  if (work.gives_way) return left;  // turning takes nothing
+  const glm::dmat3 turn_gain = turn * work.gain;
+  left.turn = turn - turn_gain * turn;
+  left.cross = cross - turn_gain * cross;
+  left.moment = moment - turn_gain * moment + left.turn * work.turn_bias + left.cross * work.shift_bias;
+  left.force += glm::transpose(left.cross) * work.turn_bias;
+  return left;
+}
+
 void ArticulatedBody::hang_on_parent(std::size_t i) {
   const Work& work = work_[i];
-  const auto& [turn, cross, shift, moment, force] = work.inertia;
-  const glm::dmat3 back = glm::transpose(cross);
-  const glm::dmat3 turn_gain = turn * work.gain;
-  const glm::dmat3 back_gain = back * work.gain;
-  // What is left of it once the joint gives way.
-  const glm::dmat3 turn_left = turn - turn_gain * turn;
-  const glm::dmat3 cross_left = cross - turn_gain * cross;
-  const glm::dmat3 shift_left = shift - back_gain * cross;
-  const glm::dvec3 moment_left = moment - turn_gain * moment + turn_left * work.turn_bias + cross_left * work.shift_bias;
-  const glm::dvec3 force_left =
-      force - back_gain * moment + glm::transpose(cross_left) * work.turn_bias + shift_left * work.shift_bias;
-  // And the same about the parent's origin.
+  const Inertia left = left_of(work);
   const glm::dmat3 arm = cross_matrix(work.arm);
+  const glm::dmat3 swing = arm * left.shift;
   Inertia& parent = work_[idx(links_[i].parent)].inertia;
-  parent.turn += turn_left - cross_left * arm + arm * (glm::transpose(cross_left) - shift_left * arm);
-  parent.cross += cross_left + arm * shift_left;
-  parent.shift += shift_left;
-  parent.moment += moment_left + glm::cross(work.arm, force_left);
-  parent.force += force_left;
+  parent.turn -= swing * arm;
+  parent.cross += swing;
+  parent.shift += left.shift;
+  parent.moment += glm::cross(work.arm, left.force);
+  parent.force += left.force;
+  if (work.gives_way) return;
+  parent.turn += left.turn - left.cross * arm + arm * glm::transpose(left.cross);
+  parent.cross += left.cross;
+  parent.moment += left.moment;
 }
 
 glm::dvec3 ArticulatedBody::accelerate(std::size_t i) {

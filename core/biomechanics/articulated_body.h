@@ -74,11 +74,13 @@ class ArticulatedBody {
     glm::dvec3 shift_bias{0.0};
     Inertia inertia;
     glm::dmat3 gain{0.0};        // from moment (of a slide: force) to the joint's acceleration
+    bool gives_way = false;      // to any moment: a ball about which all directions turn something
   };
 
   void place(std::size_t i, const LinkState& state);
   void weigh(std::size_t i);
   void find_gain(std::size_t i);
+  [[nodiscard]] Inertia left_of(const Work& work) const;
   void hang_on_parent(std::size_t i);
   [[nodiscard]] glm::dvec3 accelerate(std::size_t i);
   [[nodiscard]] const JointState& parent_of(std::size_t i) const;

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double kMostStep_s = 0.01;
 constexpr double kLeastStep_s = 1e-5;
-constexpr double kChangePerSecond = 1e-8;  // of energy
 // As long as nothing moves much, of the energy of a fall through all links.
 constexpr double kLeastShare = 1e-3;
 constexpr double kRoundingShare = 1e-13;
@@ -66,15 +65,15 @@ Result<PassiveChain> PassiveChain::make(const Skeleton& skeleton, const BodyMode
                                         const PassiveSettings& settings) {
   if (Status status = check_body_model(model, skeleton); !status) return status.error();
   if (Status status = check_state(state, skeleton.joint_count()); !status) return status.error();
-  return PassiveChain(skeleton, state, make_chain_links(skeleton, model, state, settings.root_held), settings.gravity_mps2);
+  return PassiveChain(skeleton, state, make_chain_links(skeleton, model, state, settings.root_held), settings);
 }
 
-PassiveChain::PassiveChain(const Skeleton& skeleton, const ChainState& state, ChainLinks links, const glm::dvec3& gravity_mps2)
+PassiveChain::PassiveChain(const Skeleton& skeleton, const ChainState& state, ChainLinks links, const PassiveSettings& settings)
     : parents_(skeleton.parents().begin(), skeleton.parents().end()),
       rotations_(state.rotations),
       positions_(state.positions),
       first_links_(std::move(links.first_links)),
-      body_(std::move(links.links), gravity_mps2),
+      body_(std::move(links.links), settings.gravity_mps2),
       states_(std::move(links.states)),
       saved_(states_),
       stage_(states_),
@@ -82,6 +81,7 @@ PassiveChain::PassiveChain(const Skeleton& skeleton, const ChainState& state, Ch
       accelerations_(states_.size()),
       rates_(states_.size()),
       sums_(states_.size()),
+      change_per_second_(settings.change_per_second),
       step_s_(kMostStep_s) {
   double mass = 0.0;
   double length = 0.0;
@@ -90,7 +90,7 @@ PassiveChain::PassiveChain(const Skeleton& skeleton, const ChainState& state, Ch
     if (link.parent != kNoParent) length += glm::length(link.offset);
     if (link.mass > 0.0) length += glm::length(link.moment) / link.mass;
   }
-  reach_energy_ = mass * glm::length(gravity_mps2) * length;
+  reach_energy_ = mass * glm::length(settings.gravity_mps2) * length;
   evaluate(states_);
   start_energy_ = energy();
   keep_accounts();
@@ -138,7 +138,7 @@ double PassiveChain::try_steps(double seconds, int steps) {
     step(seconds / steps);
     change += std::abs(energy() - before);
     largest = std::max(largest, kinetic_energy());
-    if (change > 0.0) share = change / (kChangePerSecond * seconds * largest + kRoundingShare * reach_energy_);
+    if (change > 0.0) share = change / (change_per_second_ * seconds * largest + kRoundingShare * reach_energy_);
     if (!std::isfinite(change)) return std::numeric_limits<double>::infinity();
   }
   return share;

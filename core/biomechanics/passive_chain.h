@@ -19,6 +19,7 @@ namespace marey {
 struct PassiveSettings {
   bool root_held = true;  ///< the origins of roots stay, else they fall freely
   glm::dvec3 gravity_mps2{0.0, -9.81, 0.0};
+  double change_per_second = 1e-6;  ///< how far energy may change, step by step, as a share of the largest kinetic energy
 };
 
 /// A figure that moves by gravity alone. A joint turns as its channels allow: about one axis, two, or, with three, any; so does a
@@ -26,7 +27,8 @@ struct PassiveSettings {
 /// nothing with mass hangs on. Positions but those of free roots stay.
 /// The accelerations are those of ArticulatedBody, so that find_joint_loads() finds no torque about a free axis. They are
 /// integrated by the Runge-Kutta method of fourth order, turns by their rotation vector in each step (H. Munthe-Kaas, BIT 38,
-/// 1998). A step is at most 10 ms, and so short that energy changes by at most 1e-8 of the largest kinetic energy a second.
+/// 1998). A step is at most 10 ms, and shorter where energy changes by more than it may. A free root that cannot turn all ways
+/// is held from it by a torque.
 class PassiveChain {
  public:
   /// Errors: those of check_body_model(), NotFinite for a state that is not. `state` has all joints of the figure.
@@ -55,7 +57,7 @@ class PassiveChain {
   [[nodiscard]] std::int64_t evaluation_count() const { return evaluations_; }
 
  private:
-  PassiveChain(const Skeleton& skeleton, const ChainState& state, ChainLinks links, const glm::dvec3& gravity_mps2);
+  PassiveChain(const Skeleton& skeleton, const ChainState& state, ChainLinks links, const PassiveSettings& settings);
 
   struct Rates {
     glm::dvec3 turn{0.0};
@@ -81,6 +83,7 @@ class PassiveChain {
   std::vector<glm::dvec3> accelerations_;  // of what was evaluated last
   std::vector<Rates> rates_;               // at a stage
   std::vector<Rates> sums_;
+  double change_per_second_;
   double reach_energy_ = 0.0;  // the weight by the length of all links
   double start_energy_ = 0.0;
   double largest_kinetic_ = 0.0;

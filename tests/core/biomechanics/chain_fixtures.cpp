@@ -84,7 +84,8 @@ Figure make_random_figure(int joint_count, unsigned seed, bool root_held) {
   figure.state = *find_chain_state(clip, 0, false);
   figure.model = make_random_model(clip.skeleton, seed);
   figure.skeleton = std::move(clip.skeleton);
-  figure.settings = {root_held, {0.3, -9.81, 0.2}};
+  figure.settings.root_held = root_held;
+  figure.settings.gravity_mps2 = {0.3, -9.81, 0.2};
   std::mt19937 random(seed);
   const auto vector = [&] {
     std::uniform_real_distribution<double> coordinate(-2.0, 2.0);
@@ -114,7 +115,7 @@ double largest_torque_share(const Figure& figure, const PassiveChain& chain) {
   std::vector<JointLoad> loads(idx(body.joint_count));
   find_joint_loads(body, figure.skeleton, figure.model, figure.settings.gravity_mps2, 0, {}, loads);
   double largest = 0.0;
-  double size = 0.0;
+  double size = total_mass_kg(figure.model) * 9.81;
   for (JointIndex joint = 0; joint < body.joint_count; ++joint) {
     const JointLoad& load = loads[idx(joint)];
     size = std::max({size, glm::length(load.torque), glm::length(load.force)});

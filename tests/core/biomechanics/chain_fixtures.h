@@ -13,7 +13,7 @@ struct Figure {
   Skeleton skeleton;
   BodyModel model;
   ChainState state;
-  PassiveSettings settings{};
+  PassiveSettings settings{.change_per_second = 1e-8};
 
   [[nodiscard]] PassiveChain let_go() const;
 };
@@ -35,7 +35,7 @@ struct Figure {
 [[nodiscard]] BodyState whole_of(const Figure& figure, const PassiveChain& chain);
 
 /// The largest torque that a joint would have to give about an axis that it is free to turn about, a free root's whole load
-/// too, as a share of the largest load of all.
+/// too, as a share of the largest load of all or of the weight.
 [[nodiscard]] double largest_torque_share(const Figure& figure, const PassiveChain& chain);
 
 }  // namespace marey::test
