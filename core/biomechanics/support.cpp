@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/kinematics/pose.h"
+
 namespace marey {
 namespace {
 
@@ -162,6 +164,20 @@ bool roots_stand_still(const BodyMotion& body, const Skeleton& skeleton) {
     if (skeleton.parent(joint) != kNoParent) continue;
     for (FrameIndex frame = 1; frame < body.frame_count; ++frame) {
       if (glm::distance(body.state(frame, joint).position, body.state(0, joint).position) > limit) return false;
+    }
+  }
+  return true;
+}
+
+bool roots_stand_still(const Clip& clip) {
+  const double limit = 1e-3 * compute_stature(clip.skeleton);
+  for (JointIndex joint = 0; joint < clip.skeleton.joint_count(); ++joint) {
+    if (clip.skeleton.parent(joint) != kNoParent) continue;
+    const auto place = [&](FrameIndex frame) {
+      return joint_translation(clip.skeleton, clip.motion, joint, frame, clip.settings.position_rule);
+    };
+    for (FrameIndex frame = 1; frame < clip.motion.frame_count(); ++frame) {
+      if (glm::distance(place(frame), place(0)) > limit) return false;
     }
   }
   return true;

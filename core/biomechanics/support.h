@@ -8,8 +8,7 @@
 
 #include "core/biomechanics/mechanics.h"
 #include "core/math/axis.h"
-#include "core/motion/body_choice.h"
-#include "core/motion/motion.h"
+#include "core/motion/clip.h"
 
 namespace marey {
 
@@ -80,6 +79,8 @@ struct SettledSupport {
 
 /// Whether no root moves by more than a thousandth of the figure's stature.
 [[nodiscard]] bool roots_stand_still(const BodyMotion& body, const Skeleton& skeleton);
+/// The same of the samples as they are; missing ones do not count.
+[[nodiscard]] bool roots_stand_still(const Clip& clip);
 
 /// The force of the floor on the body at one frame, as it must be for the body to move as it does.
 struct GroundReaction {

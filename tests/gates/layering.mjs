@@ -16,7 +16,7 @@ const arrows = {
   "core/structure": basics,
   "core/mesh": basics,
   "core/kinematics": basics,
-  "core/editing": [...mechanics, "core/signal"],
+  "core/editing": [...mechanics, "core/signal", "core/biomechanics"],
   "core/biomechanics": [...mechanics, "core/signal"],
   "core/retargeting": mechanics,
   "core/constraints": mechanics,

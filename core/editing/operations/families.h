@@ -18,15 +18,16 @@ namespace marey {
 [[nodiscard]] std::span<const Operation> timing_operations();
 [[nodiscard]] std::span<const Operation> frame_operations();
 [[nodiscard]] std::span<const Operation> joining_operations();
+[[nodiscard]] std::span<const Operation> mechanics_operations();
 [[nodiscard]] std::span<const Operation> figure_operations();
 [[nodiscard]] std::span<const Operation> axis_operations();
 [[nodiscard]] std::span<const Operation> key_operations();
 [[nodiscard]] std::span<const Operation> layer_operations();
 
-[[nodiscard]] inline std::array<std::span<const Operation>, 13> operation_families() {
+[[nodiscard]] inline std::array<std::span<const Operation>, 14> operation_families() {
   return {filter_operations(),  value_operations(),  blend_operations(), rotation_operations(), mirror_operations(),
-          placing_operations(), timing_operations(), frame_operations(), joining_operations(), axis_operations(),
-          figure_operations(),  key_operations(),    layer_operations()};
+          placing_operations(), timing_operations(), frame_operations(), joining_operations(),  mechanics_operations(),
+          axis_operations(),    figure_operations(), key_operations(),   layer_operations()};
 }
 
 }  // namespace marey
