@@ -7,6 +7,7 @@ import { parseBvh, restPose } from "./docs/small_bvh.mjs";
 
 const marey = inRoot("build", "native", "marey");
 const sample = inRoot("web", "samples", "walk.bvh");
+const swing = readFileSync(inRoot("web", "samples", "giant-swing.bvh"), "utf8");
 const noisy = "noise amplitude=2 seed=3 joints=LeftKnee";
 const layer = ["layer-add name=Fix", "key layer=Fix joints=LeftKnee channels=Xrotation frame=60 value=0 of=layer",
   "key layer=Fix joints=LeftKnee channels=Xrotation frame=90 value=-30 of=layer",
@@ -68,6 +69,7 @@ const pictures = {
   insert: { step: "insert at=80 count=40 fill=blend" },
   append: { step: `append from=${sample}` },
   splice: { before: ["hold joints=LeftKnee"], step: `splice from=${sample} joints=LeftKnee frames=70:110 blend-in=8 blend-out=8` },
+  "let-go": { clip: swing, step: "let-go frame=7 seconds=4 start=at-rest", channel: "Arms Zrotation" },
   "change-order": { step: "change-order order=xyz joints=LeftShoulder", channel: "LeftShoulder Zrotation" },
   "up-axis": { step: "up-axis to=z", figure: true },
   "rest-pose": { step: "rest-pose frame=40", figure: true },

@@ -115,9 +115,11 @@ void ArticulatedBody::find_gain(std::size_t i) {
     case LinkKind::Ball: {
       const Inverse inverse = inverse_of(turn);
       work.gives_way = inverse.axes == 3;
+      work.gain = inverse.matrix;
+      if (work.gives_way) break;
       // By its own axes what has no inertia stays where it is.
-      work.gain = work.gives_way ? inverse.matrix
-                                 : work.axes * inverse_of(glm::transpose(work.axes) * turn * work.axes).matrix * glm::transpose(work.axes);
+      const glm::dmat3 back = glm::transpose(work.axes);
+      work.gain = work.axes * inverse_of(back * turn * work.axes).matrix * back;
       break;
     }
     case LinkKind::Hinge: {

@@ -167,8 +167,8 @@ Status PassiveChain::advance(double seconds) {
     step_s_ = 0.5 * seconds / steps;
   }
   step_s_ = usual_step_s;
-  return Error{DiagnosticCode::InvalidArgument, {}, "The figure turns too fast to be followed; let it go at rest, or at another frame.",
-               {}, {}};
+  return Error{DiagnosticCode::InvalidArgument, {},
+               "The figure turns too fast to be followed; let it go at rest, or at another frame.", {}, {}};
 }
 
 void PassiveChain::advance(double seconds, int steps) {

@@ -42,7 +42,8 @@ Status check_can_fall(const Skeleton& skeleton) {
     const auto channels = find_position_channels(skeleton, joint);
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (channels[axis]) continue;
-      return refusal(fmt::format("'{}' has no {}position channel to fall by; hold it by root=held.", skeleton.name(joint), "XYZ"[axis]));
+      return refusal(fmt::format("'{}' has no {}position channel to fall by; hold it by root=held.", skeleton.name(joint),
+                                 "XYZ"[axis]));
     }
   }
   return {};

@@ -57,7 +57,8 @@ Figure make_rods(const std::vector<double>& masses, double length, const std::st
   BodyModel model;
   for (std::size_t i = 0; i < masses.size(); ++i) {
     const glm::dvec3 offset(0.0, i == 0 ? 0.0 : -length, 0.0);
-    plan.push_back({std::string(1, static_cast<char>('A' + i)), static_cast<JointIndex>(i) - 1, offset, figures::channels(channels), {}});
+    const std::string name(1, static_cast<char>('A' + i));
+    plan.push_back({name, static_cast<JointIndex>(i) - 1, offset, figures::channels(channels), {}});
     const double moment = masses[i] * length * length / 12.0;
     model.segments.push_back({static_cast<JointIndex>(i), masses[i], {0.0, -0.5 * length, 0.0}, glm::dmat3(moment)});
     model.segments.back().inertia_kgm2[1][1] = 0.0;
@@ -119,7 +120,9 @@ double largest_torque_share(const Figure& figure, const PassiveChain& chain) {
   for (JointIndex joint = 0; joint < body.joint_count; ++joint) {
     const JointLoad& load = loads[idx(joint)];
     size = std::max({size, glm::length(load.torque), glm::length(load.force)});
-    for (const glm::dvec3& axis : free_axes_of(figure, body, joint)) largest = std::max(largest, std::abs(glm::dot(axis, load.torque)));
+    for (const glm::dvec3& axis : free_axes_of(figure, body, joint)) {
+      largest = std::max(largest, std::abs(glm::dot(axis, load.torque)));
+    }
     const bool falls = figure.skeleton.parent(joint) == kNoParent && !figure.settings.root_held;
     if (falls) largest = std::max(largest, glm::length(load.force));
   }

@@ -140,6 +140,8 @@ OperationValues make_random_values(Random& random, const Operation& operation, c
     if (parameter.odd) value = 2.0 * std::floor(0.5 * value) + 1.0;
     values.numbers[i] = std::clamp(value, parameter.least, parameter.most);
   }
+  // Wild figures take it long.
+  if (operation.id == "let-go") values.numbers[idx(find_parameter(operation, "seconds"))] = random.between(0.01, 0.06);
   return values;
 }
 
