@@ -8,7 +8,6 @@
 
 #include "core/biomechanics/mechanics.h"
 #include "core/math/axis.h"
-#include "core/motion/clip.h"
 
 namespace marey {
 
