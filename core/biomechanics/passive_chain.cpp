@@ -8,8 +8,7 @@
 #include <utility>
 
 #include "core/biomechanics/chain_links.h"
-#include "core/math/angle.h"
-#include "core/math/sincos.h"
+#include "core/math/rotation_vector.h"
 
 namespace marey {
 namespace {
@@ -21,14 +20,6 @@ constexpr double kLeastShare = 1e-3;
 constexpr double kRoundingShare = 1e-13;
 
 bool is_finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-glm::dquat rotation_by(const glm::dvec3& turn) {
-  const double angle = glm::length(turn);
-  if (angle == 0.0) return {1.0, 0.0, 0.0, 0.0};
-  const SinCos<double> half = sincos_deg(to_degrees(0.5 * angle));
-  const glm::dvec3 v = turn * (half.sine / angle);
-  return {half.cosine, v.x, v.y, v.z};
-}
 
 LinkState moved(const LinkState& from, LinkKind kind, const glm::dvec3& turn, const glm::dvec3& speed) {
   LinkState to = from;

@@ -5,6 +5,9 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 
+#include "core/math/angle.h"
+#include "core/math/sincos.h"
+
 namespace marey {
 
 /// Axis times angle in radians, of the short way round: the angle is in [0, pi]. `q` of any length but 0.
@@ -19,7 +22,10 @@ namespace marey {
 /// The rotation about a vector by its length in radians.
 [[nodiscard]] inline glm::dquat rotation_by(const glm::dvec3& vector) {
   const double angle = glm::length(vector);
-  return angle == 0.0 ? glm::dquat(1.0, 0.0, 0.0, 0.0) : glm::angleAxis(angle, vector / angle);
+  if (angle == 0.0) return {1.0, 0.0, 0.0, 0.0};
+  const SinCos<double> half = sincos_deg(to_degrees(0.5 * angle));
+  const glm::dvec3 v = vector * (half.sine / angle);
+  return {half.cosine, v.x, v.y, v.z};
 }
 
 }  // namespace marey
