@@ -14,9 +14,11 @@
 #include "cli/json_text.h"
 #include "cli/report.h"
 #include "cli/table_output.h"
+#include "core/biomechanics/asked_quantity.h"
 #include "core/biomechanics/body_guess.h"
 #include "core/biomechanics/body_model_json.h"
-#include "core/biomechanics/asked_quantity.h"
+#include "core/biomechanics/chosen_body.h"
+#include "core/biomechanics/plausibility.h"
 #include "core/document/document.h"
 
 namespace marey::cli {
@@ -33,6 +35,7 @@ struct AnalyseOptions {
   std::optional<double> frame_time_s;
   std::vector<std::string> contacts;     ///< "JOINT:FIRST:LAST", frames from 1
   std::vector<std::string> no_contacts;
+  bool judges = false;
   std::string output = "-";
 };
 
@@ -131,12 +134,36 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
   return request.model ? std::optional(std::move(request)) : std::nullopt;
 }
 
+/// Says what speaks for or against unit, frame time and floor; false if that cannot be judged, which has been reported.
+bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
+  std::optional<BodyModel> model = request.model;
+  if (!model) {
+    Result<ChosenBody> body = find_chosen_body(clip);
+    if (body) model = std::move(body->body.model);
+    else report_error(options.input.file, body.error());
+  }
+  if (!model) return false;
+  const Result<Plausibility> found = judge(clip, *model, request.derivation);
+  if (!found) {
+    report_error(options.input.file, found.error());
+    return false;
+  }
+  for (const std::string& sentence : describe(*found, clip.motion.frame_time_s())) report_note(options.input.file, {}, sentence);
+  return true;
+}
+
 ExitCode run_analyse(const AnalyseOptions& options) {
+  if (options.quantities.empty() && !options.judges) {
+    report_usage_error("Say what to write by -q, or --judge.");
+    return ExitCode::BadInput;
+  }
   std::optional<BvhClip> read = read_clip_for_use(options.input);
   if (!read) return ExitCode::BadInput;
   const Clip clip = make_clip(std::move(*read));
   const std::optional<AnalysisRequest> request = make_request(options, clip);
   if (!request) return ExitCode::BadInput;
+  if (options.judges && !report_plausibility(options, clip, *request)) return ExitCode::BadInput;
+  if (options.quantities.empty()) return ExitCode::Done;
   const Result<AnalysisTable> table = analyse(clip, *request);
   if (!table) {
     report_error(options.input.file, table.error());
@@ -164,9 +191,9 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
   add_input(*command, options->input);
   command->add_option("-q,--quantities", options->quantities,
                       "What to write, apart by commas: " + quantity_list() + "; J is a joint, * is all; J+X/Y/Z is a point fixed to it, @FRAME behind it a frame of reference")
-      ->required()
       ->expected(1)
       ->take_all();
+  command->add_flag("--judge", options->judges, "Say what speaks for or against the unit of length, the frame time and the floor");
   command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
   CLI::Option* body = command->add_option("--body", options->body, "Masses by a table, by the names of the joints and the lengths of the bones")
                           ->check(CLI::IsMember({"deleva-male", "deleva-female", "winter", "rods"}))
