@@ -195,29 +195,34 @@ std::vector<JointState> PassiveChain::world_states() const {
   return states;
 }
 
+void PassiveMotion::add_frame(const PassiveChain& chain) {
+  if (frame_count() == 0) {
+    joint_count = chain.joint_count();
+    for (JointIndex joint = 0; joint < joint_count; ++joint) {
+      if (chain.is_root(joint)) roots.push_back(joint);
+    }
+  }
+  for (JointIndex joint = 0; joint < joint_count; ++joint) rotations.push_back(chain.rotation(joint));
+  for (const JointIndex root : roots) root_positions.push_back(chain.position(root));
+  kinetic_energies.push_back(chain.kinetic_energy());
+  potential_energies.push_back(chain.potential_energy());
+  energy_drift = chain.energy_drift();
+}
+
 Result<PassiveMotion> find_passive_motion(PassiveChain chain, double frame_time_s, int frame_count,
                                           const std::function<bool(double)>& carry_on) {
   PassiveMotion motion;
-  motion.joint_count = chain.joint_count();
-  for (JointIndex joint = 0; joint < chain.joint_count(); ++joint) {
-    if (chain.is_root(joint)) motion.roots.push_back(joint);
-  }
-  motion.rotations.reserve(idx(frame_count) * idx(motion.joint_count));
   for (int frame = 0; frame < frame_count; ++frame) {
     if (Status status = chain.advance(frame_time_s); !status) {
       Error error = status.error();
       error.message = fmt::format("After {:.3g} s: {}", frame * frame_time_s, error.message);
       return error;
     }
-    for (JointIndex joint = 0; joint < motion.joint_count; ++joint) motion.rotations.push_back(chain.rotation(joint));
-    for (const JointIndex root : motion.roots) motion.root_positions.push_back(chain.position(root));
-    motion.kinetic_energies.push_back(chain.kinetic_energy());
-    motion.potential_energies.push_back(chain.potential_energy());
+    motion.add_frame(chain);
     if (carry_on && !carry_on((frame + 1.0) / frame_count)) {
       return Error{DiagnosticCode::Cancelled, {}, "Letting the figure go was stopped.", {}, {}};
     }
   }
-  motion.energy_drift = chain.energy_drift();
   return motion;
 }
 

@@ -103,6 +103,8 @@ struct PassiveMotion {
   double energy_drift = 0.0;  ///< see PassiveChain
 
   [[nodiscard]] int frame_count() const { return size_of(kinetic_energies); }
+  /// Adds the state of a chain as a further frame; always of the same chain.
+  void add_frame(const PassiveChain& chain);
 };
 
 /// The frames that follow the chain's state, which is not among them. `carry_on(share)` is called after each with how much is

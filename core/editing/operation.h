@@ -12,6 +12,8 @@
 
 namespace marey {
 
+class LetGo;
+
 enum class ParameterKind : std::uint8_t {
   Number,
   Whole,   ///< a number without fraction
@@ -46,6 +48,7 @@ struct OperationValues {
   std::vector<double> numbers;
   std::vector<std::string> texts;  ///< of the kinds that are texts, as they were given; "" for the others
   const Clip* other = nullptr;     ///< the clip that a File names; outlives the call
+  const LetGo* let_go = nullptr;   ///< of the same clip and values, done to the end: "let-go" then takes it; outlives the call
 };
 
 /// What an operation changes, so what a target has to say.

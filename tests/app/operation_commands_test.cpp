@@ -26,6 +26,22 @@ TEST(OperationCommand, TakesAStepThatUndoTakesBack) {
   EXPECT_EQ(stage.app().save_text(), before);
 }
 
+TEST(OperationCommand, LetsTheFigureGoAndPlaysIt) {
+  AppStage stage;
+  stage.open_sample("giant-swing");
+  stage.app().run_command("play.pause", nullptr);
+  stage.app().run_command("play.go_to_frame", {{"frame", 5}});
+  stage.settle();
+  const std::string before = stage.app().save_text();
+  const nlohmann::json answer = stage.app().run_command("analysis.let_go", nullptr);
+  ASSERT_FALSE(answer.contains("error")) << answer;
+  EXPECT_NE(answer["notes"][0].get<std::string>().find("Energy drifts by"), std::string::npos);
+  EXPECT_EQ(stage.app().session().document.motion().frame_count(), 5 + 150);
+  EXPECT_TRUE(stage.app().session().playback.is_playing());
+  stage.app().run_command("edit.undo", nullptr);
+  EXPECT_EQ(stage.app().save_text(), before);
+}
+
 TEST(OperationCommand, SaysWhatIsWrong) {
   AppStage stage;
   EXPECT_TRUE(take_step(stage, "smooth").contains("error"));

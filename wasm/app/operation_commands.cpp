@@ -1,7 +1,10 @@
+#include <fmt/format.h>
+
 #include "core/editing/recipe.h"
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
 #include "wasm/app/faults.h"
+#include "wasm/app/icons.h"
 
 namespace marey::app {
 namespace {
@@ -33,6 +36,16 @@ json run_operation(Workspace& workspace, const json& args) {
   return status ? answer : command_error(status.error().message);
 }
 
+// The figure falls from the shown frame on, and that is played.
+json let_go(Workspace& workspace) {
+  Playback& playback = workspace.session.playback;
+  json answer = run_operation(workspace, {{"do", fmt::format("let-go frame={}", playback.frame() + 1)}});
+  if (answer.contains("error")) return answer;
+  workspace.notify(fmt::format("Let go. {} Undo brings the motion back.", answer["notes"][0].get<std::string>()));
+  playback.set_playing(true);
+  return answer;
+}
+
 }  // namespace
 
 void add_operation_commands(CommandRegistry& registry, Workspace& workspace) {
@@ -42,6 +55,12 @@ void add_operation_commands(CommandRegistry& registry, Workspace& workspace) {
                 .run = [&workspace](const json& args) { return run_operation(workspace, args); },
                 .blocked = [&workspace] { return needs_whole_clip(workspace); },
                 .in_palette = false});
+  registry.add({.id = "analysis.let_go",
+                .label = "Let go and watch",
+                .help = "From this frame on gravity alone moves the figure, for 5 s. Undo brings the motion back.",
+                .icon = icons::kPlay,
+                .run = [&workspace](const json&) { return let_go(workspace); },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
 }
 
 }  // namespace marey::app

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/editing/key_edits.h"
 #include "wasm/app/faults.h"
 #include "wasm/app/widgets.h"
 #include "wasm/views/inspector/property_row.h"
@@ -211,17 +210,23 @@ void OperationForm::take(ViewContext& context) {
     return;
   }
   const Document& document = context.session.document;
-  if (KeyJob::is_for(*operation_, values_, target_, document.motion().frame_count())) {
+  if (OperationJob::is_for(*operation_, values_, target_, document.motion().frame_count())) {
     cancel_step(context.session);
-    job_.start(*operation_, values_, target_, document.revision());
+    const Status status = job_.start(*operation_, values_, target_, document.clip(), document.revision());
+    if (!status) refusal_ = status.error().message;
     return;
   }
   OperationTarget target = target_;
   target.blend_in_frames = blend_in_;
   target.blend_out_frames = blend_out_;
   target.weight = weight_;
+  apply_outcome(context, [&](const Clip& clip) { return make_operation_edit(clip, *operation_, target, values_); });
+}
+
+template <class MakeOutcome>
+void OperationForm::apply_outcome(ViewContext& context, const MakeOutcome& make_outcome) {
   const auto make_edit = [&](const Clip& clip) {
-    Result<OperationOutcome> outcome = make_operation_edit(clip, *operation_, target, values_);
+    Result<OperationOutcome> outcome = make_outcome(clip);
     if (!outcome) {
       refusal_ = outcome.error().message;
       return Edit{};
@@ -229,10 +234,6 @@ void OperationForm::take(ViewContext& context) {
     notes_ = std::move(outcome->notes);
     return std::move(outcome->edit);
   };
-  apply_step(context, make_edit);
-}
-
-void OperationForm::apply_step(ViewContext& context, const History::MakeEdit& make_edit) {
   if (gesture_ == 0) gesture_ = context.widgets.new_gesture();
   const Status status = with_memory_for("this change", [&] { return context.session.apply_gesture(gesture_, make_edit); });
   if (!status) refusal_ = status.error().message;
@@ -297,7 +298,8 @@ OperationForm::Answer OperationForm::draw_buttons(ViewContext& context) {
 // A part of the job in each frame; what is done so far can be thrown away at any time.
 OperationForm::Answer OperationForm::draw_job(ViewContext& context) {
   if (job_.revision() != context.session.document.revision()) take(context);
-  const bool done = job_.advance(context.session.document.clip());
+  const Status status = job_.advance(context.session.document.clip());
+  if (!status) refusal_ = status.error().message;
   context.redraw = true;
   ImGui::SetCursorPosX(inspector::kPadding);
   if (ui::text_button(context, "operation.cancel", "Cancel", "Stops, and leaves the clip as it is.") ||
@@ -306,19 +308,11 @@ OperationForm::Answer OperationForm::draw_job(ViewContext& context) {
     return Answer::Cancelled;
   }
   ImGui::SameLine(0.0f, 8.0f);
-  const SmallText text("Channel {} of {}", job_.done(), job_.all());
-  const float width = ImGui::GetContentRegionAvail().x - inspector::kPadding;
-  ImGui::ProgressBar(static_cast<float>(job_.done()) / static_cast<float>(std::max(job_.all(), 1)),
-                     {width, ImGui::GetFrameHeight()}, text.c_str());
+  const SmallText text = job_.progress();
+  ImGui::ProgressBar(job_.share(), {ImGui::GetContentRegionAvail().x - inspector::kPadding, ImGui::GetFrameHeight()}, text.c_str());
   context.items.add_last("operation.progress", text);
-  if (!done) return Answer::Open;
-  notes_.assign(1, describe_keys(context.session.document.clip(), job_.curves()));
-  apply_step(context, [&](const Clip& clip) {
-    Result<Edit> edit = make_keys_edit(clip, std::string(operation_->label), kOwnKeys, job_.curves());
-    if (edit) return std::move(*edit);
-    refusal_ = edit.error().message;
-    return Edit{};
-  });
+  if (job_.is_running() || !status) return Answer::Open;
+  apply_outcome(context, [&](const Clip& clip) { return job_.outcome(*operation_, target_, values_, clip); });
   return applies_when_done_ && has_step_ ? apply(context) : Answer::Open;
 }
 

@@ -7,7 +7,7 @@
 
 #include "core/editing/operation.h"
 #include "wasm/app/view_context.h"
-#include "wasm/views/operations/key_job.h"
+#include "wasm/views/operations/operation_job.h"
 #include "wasm/views/operations/operation_target_choice.h"
 
 namespace marey::app {
@@ -52,7 +52,8 @@ class OperationForm {
   void draw_outcome(ViewContext& context);
   Answer draw_buttons(ViewContext& context);
   void take(ViewContext& context);
-  void apply_step(ViewContext& context, const History::MakeEdit& make_edit);
+  template <class MakeOutcome>
+  void apply_outcome(ViewContext& context, const MakeOutcome& make_outcome);
   Answer draw_job(ViewContext& context);
   Answer apply(ViewContext& context);
   void cancel_step(Session& session);
@@ -69,7 +70,7 @@ class OperationForm {
   bool changed_ = false;  // since the preview was made
   bool has_step_ = false;
   bool applies_when_done_ = false;
-  KeyJob job_;
+  OperationJob job_;
   GestureId gesture_ = 0;
   std::uint64_t sample_serial_ = 0;
   std::vector<std::string> notes_;
