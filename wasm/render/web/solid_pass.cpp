@@ -12,6 +12,7 @@ constexpr int kBoneRings = 9;
 constexpr int kCoarseBoneSides = 8;
 constexpr int kCoarseBoneRings = 4;
 constexpr int kBallRings = 10;
+constexpr int kEllipsoidRings = 18;  // as large as a trunk
 
 ProgramSource solid_source(const char* name, const char* defines) {
   return {name, defines, {kFrameBlock, kSolidShape, kSolidVertex}, {kFrameBlock, kColorSpace, kSolidFragment}};
@@ -49,13 +50,14 @@ Status SolidPass::start() {
   bone_mesh_.create(make_bone_mesh(kBoneSides, kBoneRings));
   coarse_bone_mesh_.create(make_bone_mesh(kCoarseBoneSides, kCoarseBoneRings));
   ball_mesh_.create(make_ball_mesh(kBallRings));
+  ellipsoid_mesh_.create(make_ball_mesh(kEllipsoidRings));
   bones_.create_bones(bone_mesh_);
   outlined_bones_.create_bones(bone_mesh_);
   faded_bones_.create_bones(coarse_bone_mesh_);
   faded_balls_.create_balls(ball_mesh_);
   balls_.create_balls(ball_mesh_);
   outlined_balls_.create_balls(ball_mesh_);
-  ellipsoids_.create_ellipsoids(ball_mesh_);
+  ellipsoids_.create_ellipsoids(ellipsoid_mesh_);
   return {};
 }
 

@@ -26,6 +26,7 @@ class SolidPass {
   Mesh bone_mesh_;
   Mesh coarse_bone_mesh_;
   Mesh ball_mesh_;
+  Mesh ellipsoid_mesh_;
   InstanceBatch bones_;
   InstanceBatch balls_;
   InstanceBatch outlined_bones_;

@@ -103,17 +103,19 @@ void ContactStrip::draw_row(ViewContext& context, const ContactRow& row, int ind
     list.AddRectFilled({time.x_of(asked_frames_.first - 0.5), min.y + 1.0f}, {time.x_of(asked_frames_.end() - 0.5), max.y - 1.0f},
                        with_alpha(context.theme.accent, 0.25f));
   }
+  // On a narrow page the name stands in the row, above its bars.
+  const bool is_narrow = context.options.compact;
+  const float middle = is_narrow ? max.y - 9.0f : 0.5f * (min.y + max.y);
   for (const ContactBar& bar : row.bars) {
     if (bar.last + 1 < time.first || bar.first - 1 > time.last) continue;
-    draw_bar(context.theme, bar, time.x_of(bar.first - 0.5), time.x_of(bar.last + 0.5), 0.5f * (min.y + max.y));
+    draw_bar(context.theme, bar, time.x_of(bar.first - 0.5), time.x_of(bar.last + 0.5), middle);
   }
   const float x = std::round(time.x_of(context.session.playback.position()));
   list.AddLine({x, min.y}, {x, max.y}, context.theme.cursor, 1.5f);
   list.PopClipRect();
-  const bool is_narrow = context.options.compact;
   const float left = is_narrow ? time.left + 4.0f : min.x + kInset;
   ImGui::PushFont(context.fonts.text, Fonts::kSmallSize + 1.0f);
-  ImGui::SetCursorScreenPos({left, std::round(0.5f * (min.y + max.y) - 7.0f)});
+  ImGui::SetCursorScreenPos({left, std::round(is_narrow ? min.y + 2.0f : middle - 7.0f)});
   ui::elided_text(context, row.name, is_narrow ? time.right - left : kChannelListWidth - kInset, context.theme.dim_text);
   ImGui::PopFont();
 }
@@ -145,7 +147,7 @@ void ContactStrip::draw_menu(ViewContext& context) const {
 
 float ContactStrip::draw(ViewContext& context, ImVec2 min, ImVec2 max) {
   const std::span<const ContactRow> rows = context.analysis.contacts();
-  const float height = context.options.touch ? kTouchRowHeight : kRowHeight;
+  const float height = context.options.touch || context.options.compact ? kTouchRowHeight : kRowHeight;
   const int fitting = static_cast<int>((max.y - min.y - kHeaderHeight) / height);
   const int count = std::min(fitting, size_of(rows));
   if (count <= 0) return 0.0f;
