@@ -14,7 +14,7 @@ struct RateCheck {
   double coarse_share = 1.0;        ///< RMS of accelerations from every second frame, of that from all: 1/4 for noise alone
 };
 
-/// From the turning of all joints in the world, by frames one and two apart. The error of central differences goes with the
+/// From the turning of all joints in the world, by frames one and two apart, in long clips of some frames only. The error of central differences goes with the
 /// square of the distance, so a third of what both differ by is the error of the finer ones (Richardson 1911). Fewer than five
 /// frames, and figures that do not turn, have no errors.
 [[nodiscard]] RateCheck check_rate(const BodyMotion& body);
