@@ -107,7 +107,10 @@ void Analysis::make_plots(const Session& session) {
   const Skeleton& skeleton = session.document.skeleton();
   plots_.clear();
   for (const PlotChoice& choice : choices_) {
-    AnalysisPlot plot{.choice = choice, .problem = {}, .owner = "whole body", .asked = {}, .unit = shown_unit(choice.quantity->unit), .lines = {}, .raw = {}, .bands = {}, .other = {}};
+    AnalysisPlot plot;
+    plot.choice = choice;
+    plot.owner = "whole body";
+    plot.unit = shown_unit(choice.quantity->unit);
     if (is_of_joint(*choice.quantity) || !choice.owner.empty()) {
       const bool follows = choice.owner.empty() && key_.joint != kNoParent;
       plot.node = follows ? skeleton.node_of(key_.joint) : find_owner(skeleton, *choice.quantity, choice.owner);
