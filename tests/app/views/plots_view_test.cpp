@@ -11,6 +11,7 @@
 #include "core/editing/clip_operations.h"
 #include "tests/app/support/allocation_count.h"
 #include "tests/app/support/app_stage.h"
+#include "wasm/app/analysis.h"
 
 namespace marey::app {
 namespace {
