@@ -36,7 +36,8 @@ TEST(OperationCommand, LetsTheFigureGoAndPlaysIt) {
   const nlohmann::json answer = stage.app().run_command("analysis.let_go", nullptr);
   ASSERT_FALSE(answer.contains("error")) << answer;
   EXPECT_NE(answer["notes"][0].get<std::string>().find("Energy drifts by"), std::string::npos);
-  EXPECT_EQ(stage.app().session().document.motion().frame_count(), 5 + 150);
+  constexpr int kKept = 6;  // frames 0 to 5
+  EXPECT_EQ(stage.app().session().document.motion().frame_count(), kKept + 150);
   EXPECT_TRUE(stage.app().session().playback.is_playing());
   stage.app().run_command("edit.undo", nullptr);
   EXPECT_EQ(stage.app().save_text(), before);

@@ -105,7 +105,7 @@ TEST_F(PlotsViewTest, AddsKeepsAndRemovesPlots) {
 }
 
 TEST_F(PlotsViewTest, IsSeenFromAnotherFrame) {
-  stage_.app().run_command("play.go_to_frame", {{"frame", 8}});
+  stage_.app().run_command("play.go_to_frame", {{"frame", 7}});
   stage_.settle();
   const double usual = plots()[0]["values"]["z"].get<double>();
   stage_.click("plots.frame.of.0");
