@@ -47,6 +47,16 @@ std::optional<Axis> find_hinge_axis(const Skeleton& skeleton, JointIndex joint) 
   return axis;
 }
 
+/// A turn about one axis and then about another, which stands across it, as these two. Not by Euler's angles: beyond a right
+/// angle of the second those have a third.
+std::pair<glm::dquat, glm::dquat> split_turn(const glm::dquat& rotation, const glm::dvec3& axis, const glm::dvec3& next) {
+  const glm::dvec3 across = glm::cross(axis, next);
+  const glm::dvec3 there = rotation * next;
+  const glm::dvec3 back = glm::conjugate(rotation) * axis;
+  return {glm::angleAxis(std::atan2(glm::dot(across, there), glm::dot(next, there)), axis),
+          glm::angleAxis(std::atan2(glm::dot(across, back), glm::dot(axis, back)), next)};
+}
+
 class LinkBuilder {
  public:
   LinkBuilder(const Skeleton& skeleton, const ChainState& state)
@@ -98,12 +108,11 @@ void LinkBuilder::add_turns(JointIndex joint) {
   const auto euler = find_euler_channels(skeleton_, joint);
   if (euler && euler->count == 3) return add(LinkKind::Ball, glm::dvec3(0.0), rotation, glm::conjugate(rotation) * turning);
   if (euler) {
-    const glm::dvec3 angles_deg = euler_from_rotation(euler->order, glm::mat3_cast(rotation));
-    const glm::dquat first = axis_rotation(euler->order.first, angles_deg.x);
     const glm::dvec3 axis = unit_of(euler->order.first);
     const glm::dvec3 next = unit_of(euler->order.second);
+    const auto [first, second] = split_turn(rotation, axis, next);
     add(LinkKind::Hinge, axis, first, axis * glm::dot(axis, turning));
-    return add(LinkKind::Hinge, next, axis_rotation(euler->order.second, angles_deg.y), next * glm::dot(first * next, turning));
+    return add(LinkKind::Hinge, next, second, next * glm::dot(first * next, turning));
   }
   const std::optional<Axis> hinge = find_hinge_axis(skeleton_, joint);
   const glm::dvec3 axis = hinge ? unit_of(*hinge) : glm::dvec3(0.0);

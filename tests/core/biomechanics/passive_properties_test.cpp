@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "core/math/angle.h"
 #include "core/math/euler.h"
@@ -34,6 +35,22 @@ Figure make_swinging_gymnast() {
   figure.skeleton = clip.skeleton;
   figure.model = make_gymnast_model();
   return figure;
+}
+
+// Also where the second axis is turned by more than a right angle, which Euler's angles would say with a third.
+TEST(PassiveChain, BeginsAtAnyTwoAngles) {
+  for (const std::string letters : {"XY", "XZ", "YX", "YZ", "ZX", "ZY"}) {
+    for (int step = 0; step < 13 * 13; ++step) {
+      Figure figure = make_rods({1.0, 1.0}, 0.4, letters);
+      const auto axis = [&](std::size_t i) { return static_cast<Axis>(letters[i] - 'X'); };
+      const glm::dquat turn = axis_rotation(axis(0), 30.0 * (step / 13 - 6)) * axis_rotation(axis(1), 30.0 * (step % 13 - 6));
+      figure.state.rotations = {turn, turn};
+      const PassiveChain chain = figure.let_go();
+      for (const JointIndex joint : {0, 1}) {
+        EXPECT_NEAR(std::abs(glm::dot(chain.rotation(joint), turn)), 1.0, 1e-14) << letters << " " << step;
+      }
+    }
+  }
 }
 
 TEST(PassiveChain, IsTheInverseOfInverseDynamics) {
