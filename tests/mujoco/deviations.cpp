@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iostream>
 
 namespace marey::test {
 namespace {
@@ -42,6 +43,10 @@ std::string Deviations::describe() const {
   std::string text;
   for (const Entry& entry : entries_) text += fmt::format("{}{} {:.1e}", text.empty() ? "" : ", ", entry.quantity, entry.largest);
   return text;
+}
+
+void report(std::string_view what, const Deviations& deviations) {
+  std::cout << fmt::format("largest deviations from MuJoCo, {}: {}\n", what, deviations.describe());
 }
 
 void expect_at_most(const Deviations& deviations, double most) {

@@ -48,6 +48,9 @@ class Deviations {
   std::vector<Entry> entries_;
 };
 
+/// Prints a line of what deviated from MuJoCo how far at most.
+void report(std::string_view what, const Deviations& deviations);
+
 /// The test fails where a deviation is above `most` or not a number, and names quantity and case.
 void expect_at_most(const Deviations& deviations, double most);
 

@@ -1,35 +1,14 @@
 #include "tests/mujoco/inverse_comparison.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
+#include <span>
 
 #include "core/biomechanics/mechanics.h"
+#include "tests/mujoco/movement_comparison.h"
+#include "tests/mujoco/spatial.h"
 
 namespace marey::test {
 namespace {
-
-glm::dvec3 vector_at(const double* place) { return {place[0], place[1], place[2]}; }
-
-/// MuJoCo's spatial vectors: the rotational half stands first.
-struct Spatial {
-  std::array<double, 6> values{};
-  [[nodiscard]] glm::dvec3 angular() const { return vector_at(values.data()); }
-  [[nodiscard]] glm::dvec3 linear() const { return vector_at(values.data() + 3); }
-};
-
-Spatial velocity_of(const MujocoFigure& figure, int body) {
-  Spatial result;
-  mj_objectVelocity(figure.model(), figure.data(), mjOBJ_XBODY, body, result.values.data(), 0);
-  return result;
-}
-
-/// As an accelerometer feels it: gravity pulls all bodies up.
-Spatial acceleration_of(const MujocoFigure& figure, int body) {
-  Spatial result;
-  mj_objectAcceleration(figure.model(), figure.data(), mjOBJ_XBODY, body, result.values.data(), 0);
-  return result;
-}
 
 /// What acts on a body from its parent, at the body's origin.
 Spatial load_of(const MujocoFigure& figure, int body) {
@@ -38,30 +17,6 @@ Spatial load_of(const MujocoFigure& figure, int body) {
   Spatial result;
   mju_transformSpatial(result.values.data(), data->cfrc_int + 6 * body, 1, data->xpos + 3 * body, reference, nullptr);
   return result;
-}
-
-void compare_movement(const RandomBody& body, const BodyMotion& motion, const MujocoFigure& figure, int which_case,
-                      Deviations& deviations) {
-  std::array<Spread, 6> spreads;
-  auto& [position, velocity, acceleration, orientation, angular_velocity, angular_acceleration] = spreads;
-  for (JointIndex joint = 0; joint < motion.joint_count; ++joint) {
-    const JointState& state = motion.state(kMiddleFrame, joint);
-    const int number = figure.body_of(joint);
-    position.add(state.position, vector_at(figure.data()->xpos + 3 * number));
-    for (int axis = 0; axis < 3; ++axis) {
-      const double* matrix = figure.data()->xmat + 9 * number;
-      orientation.add(glm::mat3_cast(state.rotation)[axis], {matrix[axis], matrix[3 + axis], matrix[6 + axis]});
-    }
-    const Spatial moving = velocity_of(figure, number);
-    velocity.add(state.velocity, moving.linear());
-    angular_velocity.add(state.angular_velocity, moving.angular());
-    const Spatial felt = acceleration_of(figure, number);
-    acceleration.add(state.acceleration - body.gravity_mps2, felt.linear());
-    angular_acceleration.add(state.angular_acceleration, felt.angular());
-  }
-  constexpr std::array kNames = {"position",    "velocity",         "acceleration",
-                                 "orientation", "angular velocity", "angular acceleration"};
-  for (std::size_t i = 0; i < kNames.size(); ++i) deviations.add(kNames[i], spreads[i], which_case);
 }
 
 template <class T>
@@ -145,7 +100,8 @@ void compare_loads(const RandomBody& body, const BodyMotion& motion, const Mujoc
 
 void compare_inverse(const RandomBody& body, const BodyMotion& motion, const MujocoFigure& figure, int which_case,
                      InverseDeviations& deviations) {
-  compare_movement(body, motion, figure, which_case, deviations.movement);
+  const std::span<const JointState> states(&motion.state(kMiddleFrame, 0), idx(motion.joint_count));
+  compare_movement(states, body.gravity_mps2, figure, which_case, deviations.movement);
   compare_whole(body, motion, figure, which_case, deviations.whole);
   compare_loads(body, motion, figure, which_case, deviations.loads);
 }

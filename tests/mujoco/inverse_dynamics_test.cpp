@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
 #include <iostream>
 
 #include "tests/mujoco/inverse_comparison.h"
@@ -13,26 +12,12 @@
 namespace marey::test {
 namespace {
 
-int body_cases() {
-  const char* wanted = std::getenv("MAREY_BODY_CASES");
-  return wanted != nullptr ? std::atoi(wanted) : 1000;
-}
-
-RandomBody body_of_case(int which_case) {
-  Random random(static_cast<std::uint64_t>(which_case));
-  return make_random_body(random);
-}
-
 BodyMotion motion_of(const RandomBody& body) {
   return find_body_motion(body.clip, {}, body.clip.motion.frame_time_s(), body.clip.settings.metres_per_unit).value();
 }
 
 std::vector<JointTrack> tracks_of(const RandomBody& body) {
   return find_joint_tracks(body.clip, {}, body.clip.motion.frame_time_s(), body.clip.settings.metres_per_unit).value();
-}
-
-void report(std::string_view what, const Deviations& deviations) {
-  std::cout << fmt::format("largest deviations from MuJoCo, {}: {}\n", what, deviations.describe());
 }
 
 void report(std::string_view state, const InverseDeviations& deviations) {

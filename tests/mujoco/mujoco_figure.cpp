@@ -96,7 +96,8 @@ int id_of(const mjModel* model, int type, const std::string& name) {
 
 }  // namespace
 
-std::vector<Freedom> find_freedoms(const Skeleton& skeleton) {
+std::vector<Freedom> find_freedoms(const Skeleton& skeleton, TwoAxes two_axes) {
+  const std::size_t most_hinges = two_axes == TwoAxes::Hinges ? 2 : 1;
   std::vector<Freedom> freedoms;
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
     std::vector<Freedom> sliding;
@@ -105,20 +106,23 @@ std::vector<Freedom> find_freedoms(const Skeleton& skeleton) {
       if (is_position(channel.kind)) sliding.push_back({joint, FreedomKind::Slide, axis_of(channel.kind), 0, 0});
       if (is_rotation(channel.kind)) turning.push_back(axis_of(channel.kind));
     }
-    if (skeleton.parent(joint) == kNoParent && sliding.size() == 3 && turning.size() > 1) {
+    if (skeleton.parent(joint) == kNoParent && sliding.size() == 3 && turning.size() > most_hinges) {
       freedoms.push_back({joint, FreedomKind::Free, Axis::X, 0, 0});
       continue;
     }
     freedoms.insert(freedoms.end(), sliding.begin(), sliding.end());
-    if (turning.size() == 1) freedoms.push_back({joint, FreedomKind::Hinge, turning[0], 0, 0});
-    if (turning.size() > 1) freedoms.push_back({joint, FreedomKind::Turn, Axis::X, 0, 0});
+    if (turning.size() > most_hinges) {
+      freedoms.push_back({joint, FreedomKind::Turn, Axis::X, 0, 0});
+      continue;
+    }
+    for (const Axis axis : turning) freedoms.push_back({joint, FreedomKind::Hinge, axis, 0, 0});
   }
   return freedoms;
 }
 
-std::string write_mjcf(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2) {
+std::string write_mjcf(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2,
+                       const std::vector<Freedom>& freedoms) {
   const Skeleton& skeleton = clip.skeleton;
-  const std::vector<Freedom> freedoms = find_freedoms(skeleton);
   std::string text = "<mujoco>\n<compiler angle='radian'/>\n";
   text += fmt::format("<option gravity='{}'><flag energy='enable'/></option>\n<worldbody>\n", text_of(gravity_mps2));
   int depth = 0;
@@ -138,10 +142,10 @@ std::string write_mjcf(const Clip& clip, const BodyModel& model, const glm::dvec
   return text + "</worldbody>\n</mujoco>\n";
 }
 
-MujocoFigure::MujocoFigure(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2)
-    : model_(load(write_mjcf(clip, model, gravity_mps2))),
-      data_(mj_makeData(model_.get())),
-      freedoms_(find_freedoms(clip.skeleton)) {
+MujocoFigure::MujocoFigure(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2, TwoAxes two_axes)
+    : freedoms_(find_freedoms(clip.skeleton, two_axes)),
+      model_(load(write_mjcf(clip, model, gravity_mps2, freedoms_))),
+      data_(mj_makeData(model_.get())) {
   for (Freedom& freedom : freedoms_) {
     const int id = id_of(model_.get(), mjOBJ_JOINT, name_of(freedom));
     freedom.position = model_->jnt_qposadr[id];

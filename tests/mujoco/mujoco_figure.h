@@ -28,13 +28,18 @@ struct Freedom {
   int velocity = 0;     ///< its first element of qvel, qacc and qfrc_*
 };
 
-/// The freedoms of a skeleton in the order in which MuJoCo is told of them, places in qpos and qvel not yet known.
-[[nodiscard]] std::vector<Freedom> find_freedoms(const Skeleton& skeleton);
+/// What a joint with two rotation channels is: Marey differentiates its rotation as any, but lets it go about its axes alone.
+enum class TwoAxes { Turn, Hinges };
+
+/// The freedoms of a skeleton in the order in which MuJoCo is told of them, places in qpos and qvel not yet known. With
+/// TwoAxes::Hinges a joint may have two Hinges in place of a Turn, and a root with them three Slides in place of a Free.
+[[nodiscard]] std::vector<Freedom> find_freedoms(const Skeleton& skeleton, TwoAxes two_axes = TwoAxes::Turn);
 
 /// The MJCF text of a figure: a body "J<joint>" per joint, its rest pose as the offsets draw it, with the joint's first segment;
 /// further ones are bodies welded to it. Where a joint has no segment, MuJoCo wants some mass: kSpeck kilograms. No shapes, so
 /// nothing collides.
-[[nodiscard]] std::string write_mjcf(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2);
+[[nodiscard]] std::string write_mjcf(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2,
+                                     const std::vector<Freedom>& freedoms);
 
 /// In kg and kg m2: more than MuJoCo takes for nothing (mjMINVAL), less than is seen beside real masses. The mass matrix may be
 /// singular with it: what has to be solved for accelerations needs a real mass on each joint.
@@ -43,7 +48,7 @@ inline constexpr double kSpeck = 1e-14;
 /// A figure with masses as MuJoCo has it. The process ends with MuJoCo's message if it refuses the text or warns of anything.
 class MujocoFigure {
  public:
-  MujocoFigure(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2);
+  MujocoFigure(const Clip& clip, const BodyModel& model, const glm::dvec3& gravity_mps2, TwoAxes two_axes = TwoAxes::Turn);
 
   /// For MuJoCo's functions, which take plain pointers.
   [[nodiscard]] mjModel* model() const { return model_.get(); }
@@ -58,9 +63,9 @@ class MujocoFigure {
     void operator()(mjModel* model) const { mj_deleteModel(model); }
     void operator()(mjData* data) const { mj_deleteData(data); }
   };
+  std::vector<Freedom> freedoms_;
   std::unique_ptr<mjModel, Deleter> model_;
   std::unique_ptr<mjData, Deleter> data_;
-  std::vector<Freedom> freedoms_;
   std::vector<int> bodies_;
 };
 

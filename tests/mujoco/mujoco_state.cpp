@@ -29,7 +29,7 @@ double slid(const Clip& clip, const Freedom& slide, const glm::dvec3& from_paren
   return from_parent_m[axis] - clip.settings.metres_per_unit * clip.skeleton.offset(slide.joint)[axis];
 }
 
-/// The angle about an axis, to the next whole turn.
+/// The angle about an axis, to the next whole turn; also of a turn about one axis and then about another.
 double angle_about(const glm::dquat& q, Axis axis) {
   const double sine = std::array{q.x, q.y, q.z}[static_cast<std::size_t>(axis)];
   return 2.0 * std::atan2(sine, q.w);
@@ -40,6 +40,12 @@ void set_turn(const JointTrack& track, std::size_t frame, double* position, doub
   store(turn, position);
   store(glm::conjugate(turn) * track.angular_velocities[frame], velocity);
   store(glm::conjugate(turn) * track.angular_accelerations[frame], acceleration);
+}
+
+glm::dvec3 unit_of(Axis axis) {
+  glm::dvec3 unit(0.0);
+  unit[static_cast<int>(axis)] = 1.0;
+  return unit;
 }
 
 /// The place of a joint in its parent, in metres, by its samples.
@@ -138,6 +144,36 @@ MujocoState state_of_samples(const MujocoFigure& figure, const Clip& clip, Frame
   return state;
 }
 
+MujocoState state_of_chain(const MujocoFigure& figure, const ChainState& chain) {
+  MujocoState state = make_state(figure.model());
+  JointIndex last = kNoParent;
+  glm::dquat turned(1.0, 0.0, 0.0, 0.0);  // by the hinges of a joint so far
+  for (const Freedom& freedom : figure.freedoms()) {
+    if (std::exchange(last, freedom.joint) != freedom.joint) turned = glm::dquat(1.0, 0.0, 0.0, 0.0);
+    const std::size_t joint = idx(freedom.joint);
+    const glm::dvec3& turning = chain.angular_velocities[joint];
+    double* position = state.positions.data() + freedom.position;
+    double* velocity = state.velocities.data() + freedom.velocity;
+    if (freedom.kind == FreedomKind::Slide) {
+      *velocity = chain.velocities[joint][static_cast<int>(freedom.axis)];
+      continue;
+    }
+    if (freedom.kind == FreedomKind::Hinge) {
+      const glm::dvec3 axis = unit_of(freedom.axis);
+      *position = angle_about(chain.rotations[joint], freedom.axis);
+      *velocity = glm::dot(turned * axis, turning);
+      turned = turned * glm::angleAxis(*position, axis);
+      continue;
+    }
+    const int before = freedom.kind == FreedomKind::Free ? 3 : 0;
+    if (before > 0) store(chain.positions[joint], position);
+    if (before > 0) store(chain.velocities[joint], velocity);
+    store(chain.rotations[joint], position + before);
+    store(glm::conjugate(chain.rotations[joint]) * turning, velocity + before);
+  }
+  return state;
+}
+
 void give_state(const MujocoFigure& figure, const MujocoState& state) {
   mjData* data = figure.data();
   std::copy(state.positions.begin(), state.positions.end(), data->qpos);
@@ -157,6 +193,12 @@ void find_inverse(const MujocoFigure& figure, const MujocoState& state) {
   mj_subtreeVel(model, data);
   mj_energyPos(model, data);
   mj_energyVel(model, data);
+}
+
+void find_forward(const MujocoFigure& figure, const MujocoState& state) {
+  give_state(figure, state);
+  mj_forward(figure.model(), figure.data());
+  mj_rnePostConstraint(figure.model(), figure.data());
 }
 
 }  // namespace marey::test

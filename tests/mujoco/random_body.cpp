@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <utility>
 
@@ -135,6 +136,27 @@ RandomBody make_random_body(Random& random) {
   body.model = make_random_model(random, body.clip.skeleton);
   body.gravity_mps2 = random_rotation(random) * glm::dvec3(0.0, -9.81, 0.0);
   return body;
+}
+
+void fill_turning_joints(Random& random, RandomBody& body) {
+  const Skeleton& skeleton = body.clip.skeleton;
+  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
+    const auto channels = skeleton.channels(joint);
+    const auto& segments = body.model.segments;
+    const bool turns = std::any_of(channels.begin(), channels.end(), [](const Channel& c) { return is_rotation(c.kind); });
+    const bool is_bare = std::none_of(segments.begin(), segments.end(), [&](const Segment& s) { return s.joint == joint; });
+    if (turns && is_bare) body.model.segments.push_back(make_random_segment(random, joint));
+  }
+}
+
+RandomBody body_of_case(int which_case) {
+  Random random(static_cast<std::uint64_t>(which_case));
+  return make_random_body(random);
+}
+
+int body_cases() {
+  const char* wanted = std::getenv("MAREY_BODY_CASES");
+  return wanted != nullptr ? std::atoi(wanted) : 1000;
 }
 
 }  // namespace marey::test

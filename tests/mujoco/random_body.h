@@ -23,4 +23,11 @@ inline constexpr FrameIndex kMiddleFrame = kRandomFrames / 2;
 /// coordinate off the joint, with tensors of radii of gyration of 0.03 ... 0.3 m about axes of any direction.
 [[nodiscard]] RandomBody make_random_body(Random& random);
 
+/// Gives a segment to each joint that can turn and has none, so that nothing moves without mass.
+void fill_turning_joints(Random& random, RandomBody& body);
+
+/// The body of case 0, 1, ... and how many cases are wanted: MAREY_BODY_CASES, or 1000.
+[[nodiscard]] RandomBody body_of_case(int which_case);
+[[nodiscard]] int body_cases();
+
 }  // namespace marey::test
