@@ -50,8 +50,8 @@ Result<AnalysisTable> analyse(const Clip& clip, const AnalysisRequest& request) 
   if (needs_body != asked->end()) analysed.find_mechanics();
   AnalysisTable table;
   for (const AskedQuantity& quantity : *asked) add_analysis_columns(analysed, quantity, table);
-  if (std::string warning = rate_warning(analysed.body(), *asked); !warning.empty()) table.notes.push_back(std::move(warning));
   analysed.add_notes(table);
+  if (std::string warning = rate_warning(analysed.body(), *asked); !warning.empty()) table.notes.push_back(std::move(warning));
   if (needs_body != asked->end()) table.support = analysed.support();
   return table;
 }
