@@ -36,12 +36,12 @@ json run_operation(Workspace& workspace, const json& args) {
   return status ? answer : command_error(status.error().message);
 }
 
-// The figure falls from the shown frame on, and that is played.
+// The figure hangs on its root from the shown frame on, and that is played. One that falls freely would only be gone.
 json let_go(Workspace& workspace) {
   Playback& playback = workspace.session.playback;
-  json answer = run_operation(workspace, {{"do", fmt::format("let-go frame={}", playback.frame() + 1)}});
+  json answer = run_operation(workspace, {{"do", fmt::format("let-go frame={} root=held", playback.frame() + 1)}});
   if (answer.contains("error")) return answer;
-  workspace.notify(fmt::format("Let go. {} Undo brings the motion back.", answer["notes"][0].get<std::string>()));
+  workspace.notify(fmt::format("Let go, held at the root. {} Undo brings the motion back.", answer["notes"][0].get<std::string>()));
   playback.set_playing(true);
   return answer;
 }
@@ -57,7 +57,7 @@ void add_operation_commands(CommandRegistry& registry, Workspace& workspace) {
                 .in_palette = false});
   registry.add({.id = "analysis.let_go",
                 .label = "Let go and watch",
-                .help = "From this frame on gravity alone moves the figure, for 5 s. Undo brings the motion back.",
+                .help = "From this frame on gravity alone moves the figure, held at its root, for 5 s. Undo brings the motion back.",
                 .icon = icons::kPlay,
                 .run = [&workspace](const json&) { return let_go(workspace); },
                 .blocked = [&workspace] { return needs_whole_clip(workspace); }});
