@@ -268,16 +268,20 @@ void Analysis::compute(const Session& session) {
     return;
   }
   table_ = std::move(*table);
-  if (const Contacts* contacts = table_.contacts()) {
-    contacts_ = make_contact_rows(clip.skeleton, *contacts, clip.body.contacts);
-    events_ = find_events(*contacts);
-  }
+  take_contacts(clip);
   notes_.insert(notes_.end(), table_.notes.begin(), table_.notes.end());
   if (!key_.shows_plots) return;
   take_lines();
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);
   if (key_.other != nullptr) add_other(clip.motion, std::move(request));
+}
+
+void Analysis::take_contacts(const Clip& clip) {
+  const Contacts* contacts = table_.contacts();
+  if (contacts == nullptr) return;
+  contacts_ = make_contact_rows(clip.skeleton, *contacts, clip.body.contacts);
+  events_ = find_events(*contacts);
 }
 
 void Analysis::take_lines() {

@@ -87,6 +87,7 @@ class Analysis {
   void compute(const Session& session);
   void follow_drag(const Session& session);
   void take_lines();
+  void take_contacts(const Clip& clip);
   void make_plots(const Session& session);
   static void find_asked(const Skeleton& skeleton, AnalysisPlot& plot);
   void add_raw(const Clip& clip, AnalysisRequest request);
