@@ -40,9 +40,9 @@ glm::dvec3 across(const glm::dvec3& along, glm::dvec3 wanted) {
 
 class BodyGuess {
  public:
-  BodyGuess(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit)
+  BodyGuess(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit, std::span<const OwnPart> own)
       : skeleton_(skeleton), table_(table), mass_kg_(mass_kg), rest_(rest_positions_m(skeleton, metres_per_unit)),
-        named_(find_named_parts(skeleton)) {}
+        named_(find_named_parts(skeleton, own)) {}
 
   Result<GuessedBody> make_human();
   Result<GuessedBody> make_rods();
@@ -233,7 +233,7 @@ void BodyGuess::settle_mass() {
 Result<GuessedBody> BodyGuess::make_human() {
   const bool has_trunk = find(BodyPart::Trunk, BodySide::Middle) != kNoParent;
   if (!has_trunk || (!mean_of(BodyPart::Thigh) && !mean_of(BodyPart::UpperArm))) {
-    return Error{DiagnosticCode::InvalidArgument, {}, "The names of the joints do not tell a human body. Give a model, or take rods.", {}, {}};
+    return Error{DiagnosticCode::InvalidArgument, {}, "The joints do not tell a human body. Say what they carry, give a model, or take rods.", {}, {}};
   }
   find_lateral();
   add_trunk();
@@ -273,8 +273,9 @@ double usual_mass_kg(BodyTable table) {
   return table == BodyTable::DeLevaMale ? 73.0 : table == BodyTable::DeLevaFemale ? 61.9 : 70.0;
 }
 
-Result<GuessedBody> guess_body(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit) {
-  BodyGuess guess(skeleton, table, mass_kg, metres_per_unit);
+Result<GuessedBody> guess_body(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit,
+                               std::span<const OwnPart> own) {
+  BodyGuess guess(skeleton, table, mass_kg, metres_per_unit, own);
   Result<GuessedBody> body = table == BodyTable::Rods ? guess.make_rods() : guess.make_human();
   if (body) body->model.metres_per_unit = metres_per_unit;
   return body;

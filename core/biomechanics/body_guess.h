@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,9 @@ struct GuessedBody {
 /// Masses by the names of joints and the lengths of the bones in the rest pose. A trunk of three joints and more bends in three
 /// pieces, one of two in two, else it is one. A part that no joint carries hangs on the one before it (a head without a neck on
 /// the trunk); what cannot be placed is spread over the others, and told. Rods go with any figure.
-/// Errors: InvalidArgument where the names do not tell a human body, or no bone has a length.
-[[nodiscard]] Result<GuessedBody> guess_body(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit);
+/// `own` is what people say of joints in place of their names. Errors: InvalidArgument where names and people do not tell a human
+/// body, or no bone has a length.
+[[nodiscard]] Result<GuessedBody> guess_body(const Skeleton& skeleton, BodyTable table, double mass_kg, double metres_per_unit,
+                                             std::span<const OwnPart> own = {});
 
 }  // namespace marey

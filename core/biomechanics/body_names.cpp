@@ -138,4 +138,22 @@ std::vector<std::optional<NamedPart>> find_named_parts(const Skeleton& skeleton)
   return parts;
 }
 
+std::vector<std::optional<NamedPart>> find_named_parts(const Skeleton& skeleton, std::span<const OwnPart> own) {
+  std::vector<std::optional<NamedPart>> named = find_named_parts(skeleton);
+  for (const OwnPart& said : own) {
+    if (!said.part || *said.part == BodyPart::Trunk) continue;
+    for (std::optional<NamedPart>& other : named) {
+      if (other && other->part == *said.part && other->side == said.side) other.reset();
+    }
+  }
+  for (const OwnPart& said : own) {
+    if (said.joint < 0 || said.joint >= skeleton.joint_count()) continue;
+    const bool is_limb = said.part && *said.part != BodyPart::Trunk && *said.part != BodyPart::Head;
+    named[idx(said.joint)] = said.part ? std::optional(NamedPart{*said.part, is_limb ? said.side : BodySide::Middle,
+                                                                 is_limb && said.side == BodySide::Middle})
+                                       : std::nullopt;
+  }
+  return named;
+}
+
 }  // namespace marey

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/biomechanics/body_tables.h"
+#include "core/motion/body_choice.h"
 #include "core/skeleton/body_side.h"
 #include "core/skeleton/skeleton.h"
 
@@ -21,5 +23,8 @@ struct NamedPart {
 /// SD/FAST and Daz: "LeftShoulder" is the upper arm where its child is an elbow or a forearm, else the collar bone; "LeftLeg"
 /// is the shank where the same side has a thigh above it.
 [[nodiscard]] std::vector<std::optional<NamedPart>> find_named_parts(const Skeleton& skeleton);
+
+/// The same, with what people say of some joints. A part of a limb or a head that is said to begin elsewhere begins there only.
+[[nodiscard]] std::vector<std::optional<NamedPart>> find_named_parts(const Skeleton& skeleton, std::span<const OwnPart> own);
 
 }  // namespace marey

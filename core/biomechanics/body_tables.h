@@ -9,8 +9,6 @@
 
 namespace marey {
 
-/// Parts of a human body.
-enum class BodyPart : std::uint8_t { Head, Trunk, UpperArm, Forearm, Hand, Thigh, Shank, Foot };
 inline constexpr int kBodyPartCount = 8;
 
 /// "head", "upper arm" ...

@@ -22,7 +22,7 @@ void give_mass(GuessedBody& body, const OwnMass& own) {
 
 Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit) {
   const auto guess = [&](BodyTable table) {
-    return guess_body(skeleton, table, choice.mass_kg.value_or(usual_mass_kg(table)), metres_per_unit);
+    return guess_body(skeleton, table, choice.mass_kg.value_or(usual_mass_kg(table)), metres_per_unit, choice.parts);
   };
   BodyTable table = choice.table.value_or(BodyTable::DeLevaMale);
   Result<GuessedBody> body = guess(table);

@@ -142,6 +142,11 @@ Status check_body(const BodyChoice& body, int joint_count) {
       return refusal(DiagnosticCode::InvalidArgument, "The mass of a segment must be 0 kg or more, and of a joint of the figure.");
     }
   }
+  for (const OwnPart& own : body.parts) {
+    if (own.joint < 0 || own.joint >= joint_count) {
+      return refusal(DiagnosticCode::InvalidArgument, "A part of the body begins at a joint of the figure.");
+    }
+  }
   return {};
 }
 
@@ -348,7 +353,7 @@ std::size_t edit_bytes(const Edit& edit) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
   if (edit.stack) bytes += unshared_bytes(*edit.stack);
-  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass) + edit.body->contacts.size() * sizeof(OwnContact);
+  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass) + edit.body->parts.size() * sizeof(OwnPart) + edit.body->contacts.size() * sizeof(OwnContact);
   return bytes;
 }
 

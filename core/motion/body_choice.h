@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/index.h"
+#include "core/skeleton/body_side.h"
 
 namespace marey {
 
@@ -23,6 +24,17 @@ struct OwnMass {
   friend bool operator==(const OwnMass&, const OwnMass&) = default;
 };
 
+/// Parts of a human body.
+enum class BodyPart : std::uint8_t { Head, Trunk, UpperArm, Forearm, Hand, Thigh, Shank, Foot };
+
+/// Which part of the body begins at a joint, in place of what its name tells.
+struct OwnPart {
+  JointIndex joint = 0;
+  std::optional<BodyPart> part;       ///< none: the joint carries nothing of its own
+  BodySide side = BodySide::Middle;   ///< of a limb, Middle: both in one, as of a figure seen from the side
+  friend bool operator==(const OwnPart&, const OwnPart&) = default;
+};
+
 /// What people say of a point that can touch the floor, in place of what its path tells.
 struct OwnContact {
   NodeIndex node = 0;    ///< a node without children
@@ -37,6 +49,7 @@ struct BodyChoice {
   std::optional<BodyTable> table;  ///< none: de Leva, male, where the joints tell a human body, else rods
   std::optional<double> mass_kg;   ///< > 0; none: that of the table's average subject
   std::vector<OwnMass> own{};      ///< rising by joint
+  std::vector<OwnPart> parts{};    ///< rising by joint
   std::vector<OwnContact> contacts{};  ///< rising by node, then by frame; none overlaps another
   friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
 };

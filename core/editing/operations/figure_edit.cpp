@@ -63,11 +63,13 @@ Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft
   }
   // Joints are known by their numbers, which are others now.
   const BodyChoice& body = call.clip.body;
-  if (!(body.own.empty() && body.contacts.empty()) && !are_same_nodes(origins, call.clip.skeleton)) {
+  if (!(body.own.empty() && body.parts.empty() && body.contacts.empty()) && !are_same_nodes(origins, call.clip.skeleton)) {
     if (!body.own.empty()) outcome.notes.emplace_back("Masses that were typed in for segments are those of the table again.");
+    if (!body.parts.empty()) outcome.notes.emplace_back("What joints were said to carry is what their names tell again.");
     if (!body.contacts.empty()) outcome.notes.emplace_back("Contacts that were corrected are those of the motion again.");
     outcome.edit.body = body;
     outcome.edit.body->own.clear();
+    outcome.edit.body->parts.clear();
     outcome.edit.body->contacts.clear();
   }
   outcome.edit.name = call.operation.label;

@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "core/biomechanics/body_names.h"
 #include "core/bvh/reader.h"
 #include "core/document/document.h"
 #include "tests/core/biomechanics/body_fixtures.h"
@@ -100,8 +101,45 @@ TEST(BodyGuess, RodsGoWithAnyFigure) {
     EXPECT_NEAR(total_mass_kg(body->model), 12.0, 1e-9);
     EXPECT_TRUE(check_body_model(body->model, skeleton));
     const auto human = guess_body(skeleton, BodyTable::DeLevaMale, 70.0, 0.01);
-    EXPECT_TRUE(human || human.error().message.starts_with("The names of the joints do not tell"));
+    EXPECT_TRUE(human || human.error().message.starts_with("The joints do not tell"));
   }
+}
+
+// A figure whose names say nothing is a person once people say where its parts begin.
+TEST(BodyGuess, TakesWhatPeopleSayOfJoints) {
+  const auto channels = figures::channels("ZXY");
+  const Skeleton skeleton = figures::make_skeleton({{"a", kNoParent, glm::dvec3(0.0), channels, {}},
+                                                    {"b", 0, {0, 50, 0}, channels, {glm::dvec3(0, 40, 0)}},
+                                                    {"c", 0, {10, 0, 0}, channels, {}},
+                                                    {"d", 2, {0, -40, 0}, channels, {glm::dvec3(0, -40, 0)}},
+                                                    {"e", 0, {-10, 0, 0}, channels, {}},
+                                                    {"f", 4, {0, -40, 0}, channels, {glm::dvec3(0, -40, 0)}}});
+  EXPECT_FALSE(guess_body(skeleton, BodyTable::DeLevaMale, 70.0, 0.01));
+  const std::vector<OwnPart> own = {{0, BodyPart::Trunk},
+                                    {1, BodyPart::Head},
+                                    {2, BodyPart::Thigh, BodySide::Left},
+                                    {3, BodyPart::Shank, BodySide::Left},
+                                    {4, BodyPart::Thigh, BodySide::Right},
+                                    {5, BodyPart::Shank, BodySide::Right}};
+  const auto body = guess_body(skeleton, BodyTable::DeLevaMale, 70.0, 0.01, own);
+  ASSERT_TRUE(body) << body.error().message;
+  EXPECT_NEAR(total_mass_kg(body->model), 70.0, 1e-9);
+  const auto mass_of = [&](const GuessedBody& found, std::string_view name) {
+    double mass = 0.0;
+    for (const GuessedPart& part : found.parts) mass += part.name == name ? part.mass_kg : 0.0;
+    return mass;
+  };
+  EXPECT_NEAR(mass_of(*body, "left thigh") / mass_of(*body, "left shank"), 0.1416 / 0.0433, 1e-9);
+  EXPECT_GT(mass_of(*body, "head"), 0.0);
+  // Said to begin elsewhere, a part does not begin where the name told.
+  const std::vector<std::optional<NamedPart>> named = find_named_parts(
+      figures::make_skeleton({{"Hips", kNoParent, glm::dvec3(0.0), channels, {}},
+                              {"LeftUpLeg", 0, {10, 0, 0}, channels, {}},
+                              {"Stilt", 1, {0, -40, 0}, channels, {glm::dvec3(0, -40, 0)}}}),
+      std::vector<OwnPart>{{2, BodyPart::Thigh, BodySide::Left}});
+  EXPECT_FALSE(named[1]);
+  ASSERT_TRUE(named[2]);
+  EXPECT_EQ(named[2]->part, BodyPart::Thigh);
 }
 
 // Winter 2009, table 4.1: head, arms and trunk are .678 of the body, a leg .161, an arm .050.

@@ -113,6 +113,48 @@ std::vector<GuessedPart> parts_by_joint(const std::vector<GuessedPart>& parts) {
   return joints;
 }
 
+/// What a joint can be said to carry, in the order of the list behind "As its name tells".
+std::vector<OwnPart> sayable_parts(JointIndex joint) {
+  std::vector<OwnPart> parts = {{joint, std::nullopt}, {joint, BodyPart::Head}, {joint, BodyPart::Trunk}};
+  for (int part = static_cast<int>(BodyPart::UpperArm); part < kBodyPartCount; ++part) {
+    for (const BodySide side : {BodySide::Left, BodySide::Right, BodySide::Middle}) parts.push_back({joint, static_cast<BodyPart>(part), side});
+  }
+  return parts;
+}
+
+Options part_options() {
+  static const std::vector<ui::ChoiceOption> kOptions = [] {
+    std::vector<ui::ChoiceOption> options = {{"body.carries.auto", "As its name tells"}};
+    for (const OwnPart& part : sayable_parts(0)) {
+      const bool is_limb = part.part && *part.part != BodyPart::Trunk && *part.part != BodyPart::Head;
+      const char* side = !is_limb ? "" : part.side == BodySide::Left ? "left " : part.side == BodySide::Right ? "right " : "both: ";
+      std::string label = part.part ? fmt::format("{}{}", side, body_part_name(*part.part)) : "nothing of its own";
+      label.front() = static_cast<char>(label.front() - 'a' + 'A');
+      options.push_back({fmt::format("body.carries.{}", options.size()), std::move(label)});
+    }
+    return options;
+  }();
+  return kOptions;
+}
+
+void draw_carried(ViewContext& context) {
+  const JointIndex joint = find_plotted_joint(context.session);
+  const BodyChoice& present = context.session.document.clip().body;
+  const std::vector<OwnPart> sayable = sayable_parts(joint);
+  const auto said = std::find_if(present.parts.begin(), present.parts.end(), [&](const OwnPart& own) { return own.joint == joint; });
+  int chosen = said == present.parts.end() ? 0 : 1 + static_cast<int>(std::find(sayable.begin(), sayable.end(), *said) - sayable.begin());
+  const std::string name = ui::displayable(context.session.document.skeleton().name(joint));
+  const float width = inspector::begin_row(context, name.c_str());
+  if (ui::choice(context, "body.carries", "Carries", "Which part of the body begins at the selected joint.", part_options(), chosen, width)) {
+    BodyChoice body = present;
+    std::erase_if(body.parts, [&](const OwnPart& own) { return own.joint == joint; });
+    const auto behind = std::find_if(body.parts.begin(), body.parts.end(), [&](const OwnPart& own) { return own.joint > joint; });
+    if (chosen > 0) body.parts.insert(behind, sayable[idx(chosen - 1)]);
+    apply_body(context, body);
+  }
+  inspector::end_row();
+}
+
 void draw_segments(ViewContext& context, const ChosenBody& body) {
   inspector::heading(context, "Segments");
   int index = 0;
@@ -223,6 +265,7 @@ void draw_body_page(ViewContext& context) {
   draw_table(context);
   inspector::draw_unit(context);
   context.analysis.follow_body(context.session, context.clip_serial);
+  draw_carried(context);
   const ChosenBody* body = context.analysis.body();
   if (body == nullptr) {
     draw_notes(context, std::span(&context.analysis.body_problem(), 1));
