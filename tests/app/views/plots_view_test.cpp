@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -280,6 +281,30 @@ TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {
   EXPECT_EQ(stage_.state()["undoName"], "Change mass of the body");
   stage_.app().run_command("edit.undo", nullptr);
   EXPECT_EQ(clip().body, BodyChoice{});
+}
+
+TEST_F(PlotsViewTest, WhatAJointCarriesIsAnEditOfTheBody) {
+  stage_.app().run_command("analysis.body", nullptr);
+  stage_.settle();
+  const auto head_on = [&](JointIndex joint) {
+    const auto body = find_chosen_body(clip());
+    return std::any_of(body->body.parts.begin(), body->body.parts.end(),
+                       [&](const GuessedPart& part) { return part.joint == joint && part.name == "head"; });
+  };
+  ASSERT_FALSE(head_on(2));
+  stage_.app().session().selection.select_only(2);
+  stage_.settle();
+  stage_.click("body.carries");
+  stage_.settle();
+  stage_.click("body.carries.2");
+  stage_.settle();
+  ASSERT_EQ(clip().body.parts.size(), 1u);
+  EXPECT_EQ(clip().body.parts[0], (OwnPart{2, BodyPart::Head}));
+  EXPECT_TRUE(head_on(2));
+  stage_.app().run_command("edit.undo", nullptr);
+  stage_.settle();
+  EXPECT_TRUE(clip().body.parts.empty());
+  EXPECT_FALSE(head_on(2));
 }
 
 TEST_F(PlotsViewTest, DrawsArrowsAndTheCentreOfMass) {
