@@ -143,12 +143,15 @@ bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const 
     else report_error(options.input.file, body.error());
   }
   if (!model) return false;
-  const Result<Plausibility> found = judge(clip, *model, request.derivation);
+  Clip judged = clip;
+  if (request.frame_time_s) judged.motion.set_frame_time_s(*request.frame_time_s);
+  judged.body.contacts = request.contacts;
+  const Result<Plausibility> found = judge(judged, *model, request.derivation);
   if (!found) {
     report_error(options.input.file, found.error());
     return false;
   }
-  for (const std::string& sentence : describe(*found, clip.motion.frame_time_s())) report_note(options.input.file, {}, sentence);
+  for (const std::string& sentence : describe(*found, judged.motion.frame_time_s())) report_note(options.input.file, {}, sentence);
   return true;
 }
 

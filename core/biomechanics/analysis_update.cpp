@@ -66,7 +66,7 @@ Status update_analysis(const Clip& clip, const AnalysisRequest& request, FrameRa
   const FrameRange wanted = widened(changed, reach, frames);
   // Twice as far, as the ends of what is computed are worth less.
   const FrameRange window = widened(wanted, reach, frames);
-  if (wanted.count <= 0) return {};
+  if (changed.count <= 0 || wanted.count <= 0) return {};
   Clip part;
   part.skeleton = clip.skeleton;
   part.settings = clip.settings;

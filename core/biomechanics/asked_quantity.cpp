@@ -53,7 +53,7 @@ Result<JointIndex> find_frame(const Skeleton& skeleton, const Quantity& quantity
     return refusal(fmt::format("'{}' is the same in every frame of reference; '@{}' cannot stand behind it.", quantity.name, text), text);
   }
   for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    if (skeleton.name(joint) == text) return joint;
+    if (!text.empty() && skeleton.name(joint) == text) return joint;
   }
   if (text == "world") return kNoParent;
   const JointIndex own = node == kNoParent ? 0 : skeleton.node(node).joint;
@@ -63,7 +63,7 @@ Result<JointIndex> find_frame(const Skeleton& skeleton, const Quantity& quantity
     while (skeleton.parent(root) != kNoParent) root = skeleton.parent(root);
     return root;
   }
-  return refusal(fmt::format("'{}' is no frame of reference: a joint, world, root or parent.", text), text);
+  return refusal(fmt::format("'{}' is no frame of reference: a joint, world{}.", text, node == kNoParent ? " or root" : ", root or parent"), text);
 }
 
 /// Reads what stands behind a quantity's name.
@@ -74,10 +74,12 @@ class OwnerReader {
   /// "JOINT", "JOINT+X/Y/Z", either with "@FRAME".
   [[nodiscard]] Status add(std::string_view text, std::vector<AskedQuantity>& asked) const {
     if (Status status = add_owners(text, {}, {}, asked); status) return status;
-    const Parted frame = part_at_last(text, '@');
-    if (frame.behind && has_owner(frame.before)) return add_owners(frame.before, {}, frame.behind, asked);
-    const Parted point = part_at_last(frame.before, '+');
-    if (point.behind && has_owner(point.before)) return add_owners(point.before, point.behind, frame.behind, asked);
+    // Names may hold the signs: each is tried, from the right.
+    for (std::size_t at = text.rfind('@'); at != std::string_view::npos; at = at == 0 ? std::string_view::npos : text.rfind('@', at - 1)) {
+      const std::string_view before = text.substr(0, at);
+      if (has_owner(before) || has_point(before)) return add_with_point(before, text.substr(at + 1), asked);
+    }
+    if (has_point(text)) return add_with_point(text, {}, asked);
     return refusal(fmt::format("There is no joint '{}'{}.", text, is_of_points(quantity_) ? " and no such end site" : ""), text);
   }
 
@@ -86,6 +88,18 @@ class OwnerReader {
   }
 
  private:
+  /// Whether a text is an owner with "+X/Y/Z" behind it.
+  [[nodiscard]] bool has_point(std::string_view text) const {
+    const Parted point = part_at_last(text, '+');
+    return point.behind && has_owner(point.before);
+  }
+
+  [[nodiscard]] Status add_with_point(std::string_view text, std::optional<std::string_view> frame, std::vector<AskedQuantity>& asked) const {
+    if (has_owner(text)) return add_owners(text, {}, frame, asked);
+    const Parted point = part_at_last(text, '+');
+    return add_owners(point.before, point.behind, frame, asked);
+  }
+
   [[nodiscard]] bool can_own(NodeIndex node) const { return !skeleton_.node(node).is_end_site || is_of_points(quantity_); }
 
   [[nodiscard]] bool has_owner(std::string_view label) const {
@@ -99,7 +113,8 @@ class OwnerReader {
                                   std::vector<AskedQuantity>& asked) const {
     const std::size_t before = asked.size();
     for (NodeIndex node = 0; node < skeleton_.node_count(); ++node) {
-      if (!can_own(node) || (wanted != "*" && node_label(skeleton_, node) != wanted)) continue;
+      const bool is_wanted = wanted == "*" ? !point || !skeleton_.node(node).is_end_site : node_label(skeleton_, node) == wanted;
+      if (!can_own(node) || !is_wanted) continue;
       if (Status status = add_one(node, point, frame, asked); !status) return status;
       if (wanted != "*") return {};
     }
@@ -111,7 +126,9 @@ class OwnerReader {
     glm::dvec3 point_m(0.0);
     if (point) {
       if (!is_of_points(quantity_) || skeleton_.node(node).is_end_site) {
-        return refusal(fmt::format("'{}:{}' is not of a point; '+{}' cannot stand behind it.", quantity_.name, node_label(skeleton_, node), *point), *point);
+        return refusal(fmt::format("'{}:{}' has no point fixed to it, so '+{}' cannot stand behind it: only places of joints do.", quantity_.name,
+                                   node_label(skeleton_, node), *point),
+                       *point);
       }
       const std::optional<glm::dvec3> place = read_point(*point);
       if (!place) return refusal(fmt::format("'+{}' is not a point: write +X/Y/Z, in metres.", *point), *point);

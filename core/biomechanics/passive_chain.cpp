@@ -144,7 +144,7 @@ Status PassiveChain::advance(double seconds) {
   constexpr double kEasy = 1.0 / 40.0;  // twice the step makes sixteen to thirty-two times the change
   saved_ = states_;
   const double usual_step_s = step_s_;
-  while (step_s_ >= kLeastStep_s) {
+  while (step_s_ >= std::min(kLeastStep_s, seconds)) {
     const int steps = static_cast<int>(std::max(1.0, std::ceil(seconds / step_s_ - 1e-9)));
     const double share = try_steps(seconds, steps);
     if (share <= 1.0) {

@@ -1,6 +1,7 @@
 #include "core/editing/contact_edits.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -37,7 +38,7 @@ void put_in_order(std::vector<OwnContact>& contacts) {
   contacts = std::move(joined);
 }
 
-/// Where the frames of a clip go.
+/// Where the frames of a clip go. Of other times than before, a frame goes between the places of those that stay.
 class FrameMoves {
  public:
   FrameMoves(const Clip& clip, const FramesChange& change) : clip_(clip), change_(change) {
@@ -45,21 +46,37 @@ class FrameMoves {
       if (change.file_frames[idx(i)] != kNewFrame) places_.emplace_back(change.file_frames[idx(i)], change.removed.first + i);
     }
     std::sort(places_.begin(), places_.end());
+    for (FrameIndex frame = change.removed.first; frame < change.removed.end(); ++frame) {
+      if (const FrameIndex place = known_place(frame); place >= 0) stays_.emplace_back(frame, place);
+    }
   }
 
   /// -1 where it goes out of the clip.
   [[nodiscard]] FrameIndex place_of(FrameIndex frame) const {
     if (frame < change_.removed.first) return frame;
     if (frame >= change_.removed.end()) return frame + size_of(change_.file_frames) - change_.removed.count;
-    const FrameIndex file_frame = clip_.file_frames.empty() ? frame : clip_.file_frames[idx(frame)];
-    const auto at = std::lower_bound(places_.begin(), places_.end(), std::pair(file_frame, 0));
-    return at != places_.end() && at->first == file_frame ? at->second : -1;
+    const auto behind = std::lower_bound(stays_.begin(), stays_.end(), std::pair(frame, 0));
+    if (behind != stays_.end() && behind->first == frame) return behind->second;
+    if (behind == stays_.begin() || behind == stays_.end()) return -1;
+    const auto& [before_frame, before_place] = *std::prev(behind);
+    const int places = behind->second - before_place;
+    const bool is_taken_out = places <= 1 && file_frame(frame) != kNewFrame;
+    return is_taken_out ? -1 : before_place + (frame - before_frame) * places / (behind->first - before_frame);
   }
 
  private:
+  [[nodiscard]] FrameIndex file_frame(FrameIndex frame) const { return clip_.file_frames.empty() ? frame : clip_.file_frames[idx(frame)]; }
+
+  [[nodiscard]] FrameIndex known_place(FrameIndex frame) const {
+    const FrameIndex wanted = file_frame(frame);
+    const auto at = std::lower_bound(places_.begin(), places_.end(), std::pair(wanted, 0));
+    return wanted != kNewFrame && at != places_.end() && at->first == wanted ? at->second : -1;
+  }
+
   const Clip& clip_;
   const FramesChange& change_;
   std::vector<std::pair<FrameIndex, FrameIndex>> places_;  // file frame, place in the clip to be
+  std::vector<std::pair<FrameIndex, FrameIndex>> stays_;   // frame, place in the clip to be, rising
 };
 
 }  // namespace
@@ -74,6 +91,16 @@ Edit make_contact_edit(const Clip& clip, std::span<const NodeIndex> nodes, Frame
   Edit edit = make_body_edit(clip, body);
   edit.name = !touches ? "Contacts as detected" : *touches ? "Contact" : "No contact";
   return edit;
+}
+
+std::vector<OwnContact> contacts_within(std::span<const OwnContact> contacts, FrameRange frames) {
+  std::vector<OwnContact> kept;
+  for (const OwnContact& contact : contacts) {
+    const FrameIndex first = std::max(contact.first, frames.first);
+    const FrameIndex last = std::min(contact.last, frames.end() - 1);
+    if (first <= last) kept.push_back({contact.node, first - frames.first, last - frames.first, contact.touches});
+  }
+  return kept;
 }
 
 Edit carry_contacts(const Clip& clip, Edit edit) {

@@ -63,6 +63,8 @@ class Analysis {
   [[nodiscard]] bool is_of(std::uint64_t clip_serial) const { return known_ && key_.clip_serial == clip_serial; }
   /// What touches the floor; empty where nothing that was asked for needs to know, and where the body does not stand on ground.
   [[nodiscard]] std::span<const ContactRow> contacts() const { return contacts_; }
+  /// Whether the numbers are those of this clip as it is now.
+  [[nodiscard]] bool is_of(std::uint64_t clip_serial, std::uint64_t revision) const { return is_of(clip_serial) && table_revision_ == revision; }
   /// When these contacts change, in the order of time.
   [[nodiscard]] std::span<const MotionEvent> events() const { return events_; }
   /// The whole result of what is plotted, SI.

@@ -1,6 +1,7 @@
 #include "wasm/app/contact_rows.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace marey::app {
 
@@ -9,10 +10,10 @@ std::vector<ContactRow> make_contact_rows(const Skeleton& skeleton, const Contac
   const std::size_t count = contacts.points.size();
   for (std::size_t point = 0; point < count; ++point) {
     ContactRow row{contacts.points[point].node, node_label(skeleton, contacts.points[point].node), {}};
+    std::vector<OwnContact> of_point;
+    std::copy_if(own.begin(), own.end(), std::back_inserter(of_point), [&](const OwnContact& contact) { return contact.node == row.node; });
     const auto is_own = [&](FrameIndex frame) {
-      return std::any_of(own.begin(), own.end(), [&](const OwnContact& contact) {
-        return contact.node == row.node && contact.first <= frame && frame <= contact.last;
-      });
+      return std::any_of(of_point.begin(), of_point.end(), [&](const OwnContact& contact) { return contact.first <= frame && frame <= contact.last; });
     };
     for (FrameIndex frame = 0; frame < size_of(contacts.down) / size_of(contacts.points); ++frame) {
       const ContactBar here{frame, frame, contacts.is_down(frame, point), is_own(frame)};

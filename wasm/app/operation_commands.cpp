@@ -42,6 +42,7 @@ json let_go(Workspace& workspace) {
   json answer = run_operation(workspace, {{"do", fmt::format("let-go frame={} root=held", playback.frame() + 1)}});
   if (answer.contains("error")) return answer;
   workspace.notify(fmt::format("Let go, held at the root. {} Undo brings the motion back.", answer["notes"][0].get<std::string>()));
+  playback.set_range({0, workspace.session.document.motion().frame_count()});
   playback.set_playing(true);
   return answer;
 }

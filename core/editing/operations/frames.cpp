@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/editing/clip_operations.h"
+#include "core/editing/contact_edits.h"
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/frame_edit.h"
 #include "core/motion/resampling.h"
@@ -24,6 +25,11 @@ Outcome make_trim(const OperationCall& call) {
     outcome.edit = make_remove_frames_edit({0, kept.first});
   } else {
     outcome.edit = make_frames_edit(call, {0, frame_count}, call.clip.motion.frames_of(kept), file_frames_of(call.clip, kept));
+    // Frames that an edit made have no number that would say where they stay.
+    if (!call.clip.body.contacts.empty()) {
+      outcome.edit.body = call.clip.body;
+      outcome.edit.body->contacts = contacts_within(call.clip.body.contacts, kept);
+    }
   }
   outcome.edit.name = fmt::format("Trim to frames {} to {}", kept.first + 1, kept.end());
   return outcome;

@@ -83,6 +83,17 @@ TEST(AnalysisUpdate, KeepsWhatHoldsTheBody) {
   expect_alike(table, table_of(clip, request), 1e-9, "settled");
 }
 
+TEST(AnalysisUpdate, LeavesTheTableWhereNoSamplesChanged) {
+  Clip clip = make_clip(100);
+  AnalysisRequest request;
+  request.quantities = {"velocity:Arm"};
+  AnalysisTable table = table_of(clip, request);
+  const AnalysisTable before = table;
+  clip.settings.metres_per_unit *= 10.0;
+  EXPECT_TRUE(update_analysis(clip, request, {}, table));
+  expect_alike(table, before, 0.0, "nothing changed");
+}
+
 TEST(AnalysisUpdate, LeavesTheTableWhereItIsRefused) {
   Clip clip = make_clip(100);
   AnalysisRequest request;

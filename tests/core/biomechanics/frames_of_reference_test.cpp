@@ -170,12 +170,26 @@ TEST(AskedQuantity, SaysWhatCannotBeAsked) {
   EXPECT_EQ(message_of("position:Leg@Arm"), "There is no joint 'Leg@Arm' and no such end site.");
   EXPECT_EQ(message_of("position:Arm+1/2"), "'+1/2' is not a point: write +X/Y/Z, in metres.");
   EXPECT_EQ(message_of("position:Arm+1/2/x"), "'+1/2/x' is not a point: write +X/Y/Z, in metres.");
-  EXPECT_EQ(message_of("position:Arm_end+1/2/3"), "'position:Arm_end' is not of a point; '+1/2/3' cannot stand behind it.");
+  EXPECT_EQ(message_of("position:Arm_end+1/2/3"), "'position:Arm_end' has no point fixed to it, so '+1/2/3' cannot stand behind it: only places of joints do.");
   EXPECT_EQ(message_of("power:Arm@Hips"), "'power' is the same in every frame of reference; '@Hips' cannot stand behind it.");
-  EXPECT_EQ(message_of("com@parent"), "'parent' is no frame of reference: a joint, world, root or parent.");
-  EXPECT_EQ(message_of("position:*+0/0/0.1@root"), "'position:Arm_end' is not of a point; '+0/0/0.1' cannot stand behind it.");
+  EXPECT_EQ(message_of("com@parent"), "'parent' is no frame of reference: a joint, world or root.");
+  EXPECT_EQ(message_of("position:*+0/0/0.1@root"), "");
+  EXPECT_EQ(message_of("com@"), "'' is no frame of reference: a joint, world or root.");
   EXPECT_EQ(message_of("position:*@root"), "");
   EXPECT_EQ(message_of("com@Hips"), "");
+}
+
+TEST(AskedQuantity, KnowsJointsWithoutNamesAndWithSigns) {
+  const Skeleton skeleton = figures::make_skeleton({{"", kNoParent, glm::dvec3(0.0), figures::channels("ZXY"), {}},
+                                                    {"a@b", 0, {0, 1, 0}, figures::channels("Z"), {}}});
+  const auto ask = [&](const std::string& text) { return find_quantities(skeleton, std::span(&text, 1)); };
+  EXPECT_FALSE(ask("com@"));
+  EXPECT_FALSE(ask("position:a@b@"));
+  const auto found = ask("torque:a@b@a@b");
+  ASSERT_TRUE(found);
+  EXPECT_EQ((*found)[0].node, 1);
+  EXPECT_EQ((*found)[0].frame, 1);
+  EXPECT_EQ((*ask("position:*@a@b"))[0].frame, 1);
 }
 
 TEST(AskedQuantity, TakesNamesWholeFirst) {

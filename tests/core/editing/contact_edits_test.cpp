@@ -99,6 +99,20 @@ TEST_F(ContactEdits, FollowFramesThatComeInThePlaceOfAll) {
   EXPECT_THAT(contacts(), IsEmpty());
 }
 
+TEST_F(ContactEdits, FollowOtherTimesBetweenFramesThatStay) {
+  ASSERT_TRUE(say({kFoot}, {4, 6}, true));
+  // Every other frame, and of those some only by their times.
+  ASSERT_TRUE(replace({0, 20}, {0, kNewFrame, kNewFrame, kNewFrame, kNewFrame, 10, kNewFrame, kNewFrame, kNewFrame, kNewFrame, 19}));
+  EXPECT_THAT(contacts(), ElementsAre(OwnContact{kFoot, 2, 4, true}));
+}
+
+TEST_F(ContactEdits, StayInATrimOfFramesThatWereMade) {
+  ASSERT_TRUE(say({kFoot}, {4, 6}, true));
+  EXPECT_THAT(contacts_within(contacts(), {5, 3}), ElementsAre(OwnContact{kFoot, 0, 2, true}));
+  EXPECT_THAT(contacts_within(contacts(), {0, 4}), IsEmpty());
+  EXPECT_THAT(contacts_within(contacts(), {2, 10}), ElementsAre(OwnContact{kFoot, 2, 7, true}));
+}
+
 // Of frames that only go, each that stays keeps what was said of it.
 TEST_F(ContactEdits, SayOfEachFrameWhatWasSaidOfIt) {
   std::mt19937 random(5);

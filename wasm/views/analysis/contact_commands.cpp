@@ -25,7 +25,7 @@ json correct_contacts(Workspace& workspace, const json& args, std::optional<bool
   const FrameRange usual = contact_frames(workspace.session);
   CommandArgs read(args);
   const int first = read.whole("first", usual.first, 0, frame_count - 1);
-  const int count = read.whole("count", read.has("first") ? 1 : usual.count, 1, frame_count);
+  const int count = read.whole("count", read.has("first") ? 1 : std::min(usual.count, frame_count - first), 1, frame_count - first);
   if (read.failed()) return read.error();
   std::vector<NodeIndex> nodes;
   for (const JointIndex joint : workspace.session.selection.joints()) {
@@ -40,6 +40,7 @@ json correct_contacts(Workspace& workspace, const json& args, std::optional<bool
 }
 
 const MotionEvent* find_event(const Workspace& workspace, bool ahead) {
+  if (!workspace.analysis.is_of(workspace.clip_serial, workspace.session.document.revision())) return nullptr;
   const FrameIndex here = workspace.session.playback.frame();
   const MotionEvent* found = nullptr;
   for (const MotionEvent& event : workspace.analysis.events()) {
@@ -56,7 +57,7 @@ void add_event_command(CommandRegistry& registry, Workspace& workspace, Command 
     return {{"frame", event->frame}, {"event", describe(*event, workspace.session.document.skeleton())}};
   };
   command.blocked = [&workspace, ahead] {
-    return find_event(workspace, ahead) != nullptr ? "" : "No foot touches or leaves the ground there, as far as plots or arrows need to know.";
+    return find_event(workspace, ahead) != nullptr ? "" : "No event there. Show a plot of forces or torques first.";
   };
   registry.add(std::move(command));
 }

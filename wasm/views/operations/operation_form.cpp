@@ -203,6 +203,7 @@ void OperationForm::draw_blends(ViewContext& context) {
 
 void OperationForm::take(ViewContext& context) {
   changed_ = false;
+  job_.stop();
   notes_.clear();
   refusal_.clear();
   if (lacks_other()) {
@@ -298,6 +299,7 @@ OperationForm::Answer OperationForm::draw_buttons(ViewContext& context) {
 // A part of the job in each frame; what is done so far can be thrown away at any time.
 OperationForm::Answer OperationForm::draw_job(ViewContext& context) {
   if (job_.revision() != context.session.document.revision()) take(context);
+  if (!job_.is_running()) return Answer::Open;
   const Status status = job_.advance(context.session.document.clip());
   if (!status) refusal_ = status.error().message;
   context.redraw = true;
@@ -313,6 +315,7 @@ OperationForm::Answer OperationForm::draw_job(ViewContext& context) {
   context.items.add_last("operation.progress", text);
   if (job_.is_running() || !status) return Answer::Open;
   apply_outcome(context, [&](const Clip& clip) { return job_.outcome(*operation_, target_, values_, clip); });
+  job_.stop();
   return applies_when_done_ && has_step_ ? apply(context) : Answer::Open;
 }
 

@@ -27,8 +27,7 @@ bool OperationJob::is_for(const Operation& operation, const OperationValues& val
 
 Status OperationJob::start(const Operation& operation, const OperationValues& values, const OperationTarget& target, const Clip& clip,
                            std::uint64_t revision) {
-  running_ = false;
-  let_go_.reset();
+  stop();
   revision_ = revision;
   if (operation.id == "let-go") {
     Result<LetGo> let_go = LetGo::make(clip, let_go_choice(operation, values));
@@ -42,6 +41,13 @@ Status OperationJob::start(const Operation& operation, const OperationValues& va
   return {};
 }
 
+void OperationJob::stop() {
+  running_ = false;
+  let_go_.reset();
+  curves_.clear();
+  channels_.clear();
+}
+
 void OperationJob::start_keys(const Operation& operation, const OperationValues& values, const OperationTarget& target) {
   const std::string_view interpolation = chosen(operation, values, "interpolation");
   making_ = {};
@@ -50,7 +56,6 @@ void OperationJob::start_keys(const Operation& operation, const OperationValues&
                           : interpolation == "stepped" ? Interpolation::Stepped
                                                        : Interpolation::Bezier;
   channels_ = target.channels;
-  curves_.clear();
 }
 
 float OperationJob::share() const { return static_cast<float>(done()) / static_cast<float>(std::max(all(), 1)); }

@@ -22,7 +22,8 @@ class OperationJob {
   /// `revision` is that of the document as long as the job lasts. Errors: those of LetGo::make().
   [[nodiscard]] Status start(const Operation& operation, const OperationValues& values, const OperationTarget& target, const Clip& clip,
                              std::uint64_t revision);
-  void stop() { running_ = false; }
+  /// Ends the job and lets go of what it holds.
+  void stop();
   [[nodiscard]] bool is_running() const { return running_; }
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
   [[nodiscard]] float share() const;
