@@ -284,6 +284,7 @@ TEST_F(PlotsViewTest, MassesAreEditsOfTheBody) {
 }
 
 TEST_F(PlotsViewTest, WhatAJointCarriesIsAnEditOfTheBody) {
+  stage_.app().run_command("view.curves", {{"on", false}});
   stage_.app().run_command("analysis.body", nullptr);
   stage_.settle();
   const auto head_on = [&](JointIndex joint) {
