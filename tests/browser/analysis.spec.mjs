@@ -98,7 +98,7 @@ test("quantities are added, set against each other, and told in numbers", async 
   await marey.click("plots.add");
   await marey.click("plots.add.kinetic_energy");
   await marey.expectState(({ analysis }) => analysis.plots.at(-1), {
-    quantity: "kinetic_energy", owner: "whole body", unit: "J", values: expect.anything(), bands: {},
+    quantity: "kinetic_energy", owner: "whole body", frame: "", unit: "J", values: expect.anything(), bands: {},
   });
   await marey.click("plots.mode");
   await marey.click("plots.mode.against");
@@ -108,4 +108,15 @@ test("quantities are added, set against each other, and told in numbers", async 
   await marey.click("plots.mode.statistics");
   await marey.item("plots.statistics.0.highest");
   await marey.picture("statistics");
+});
+
+test("the figure is let go, watched, and put back", async ({ marey }) => {
+  const before = await marey.state();
+  await marey.click("menu.Analyse");
+  await marey.click("menu.analysis.let_go");
+  await marey.expectState(({ undoDepth, playing }) => ({ undoDepth, playing }), { undoDepth: before.undoDepth + 1, playing: true });
+  await marey.command("play.pause");
+  await marey.picture("let-go");
+  await marey.press("Control+z");
+  await marey.expectState(({ undoDepth }) => undoDepth, before.undoDepth);
 });

@@ -37,13 +37,14 @@ json run_operation(Workspace& workspace, const json& args) {
 }
 
 // The figure hangs on its root from the shown frame on, and that is played. One that falls freely would only be gone.
-json let_go(Workspace& workspace) {
+json let_go(CommandRegistry& registry, Workspace& workspace) {
   Playback& playback = workspace.session.playback;
   json answer = run_operation(workspace, {{"do", fmt::format("let-go frame={} root=held", playback.frame() + 1)}});
   if (answer.contains("error")) return answer;
   workspace.notify(fmt::format("Let go, held at the root. {} Undo brings the motion back.", answer["notes"][0].get<std::string>()));
   playback.set_range({0, workspace.session.document.motion().frame_count()});
   playback.set_playing(true);
+  registry.run("curve.fit");
   return answer;
 }
 
@@ -60,7 +61,7 @@ void add_operation_commands(CommandRegistry& registry, Workspace& workspace) {
                 .label = "Let go and watch",
                 .help = "From this frame on gravity alone moves the figure, held at its root, for 5 s. Undo brings the motion back.",
                 .icon = icons::kPlay,
-                .run = [&workspace](const json&) { return let_go(workspace); },
+                .run = [&registry, &workspace](const json&) { return let_go(registry, workspace); },
                 .blocked = [&workspace] { return needs_whole_clip(workspace); }});
 }
 

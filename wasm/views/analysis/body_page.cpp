@@ -144,6 +144,7 @@ void draw_carried(ViewContext& context) {
   const auto said = std::find_if(present.parts.begin(), present.parts.end(), [&](const OwnPart& own) { return own.joint == joint; });
   int chosen = said == present.parts.end() ? 0 : 1 + static_cast<int>(std::find(sayable.begin(), sayable.end(), *said) - sayable.begin());
   const std::string name = ui::displayable(context.session.document.skeleton().name(joint));
+  inspector::heading(context, "What the selected joint carries");
   const float width = inspector::begin_row(context, name.c_str());
   if (ui::choice(context, "body.carries", "Carries", "Which part of the body begins at the selected joint.", part_options(), chosen, width)) {
     BodyChoice body = present;
@@ -265,14 +266,15 @@ void draw_body_page(ViewContext& context) {
   draw_table(context);
   inspector::draw_unit(context);
   context.analysis.follow_body(context.session, context.clip_serial);
-  draw_carried(context);
   const ChosenBody* body = context.analysis.body();
   if (body == nullptr) {
     draw_notes(context, std::span(&context.analysis.body_problem(), 1));
+    draw_carried(context);
     return;
   }
   draw_mass(context, body->mass_kg);
   draw_notes(context, body->body.notes);
+  draw_carried(context);
   draw_segments(context, *body);
   ImGui::Dummy({0.0f, 16.0f});
 }
