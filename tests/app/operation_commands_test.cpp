@@ -29,7 +29,7 @@ TEST(OperationCommand, TakesAStepThatUndoTakesBack) {
 TEST(OperationCommand, LetsTheFigureGoAndPlaysIt) {
   AppStage stage;
   stage.open_sample("giant-swing");
-  stage.app().run_command("play.pause", nullptr);
+  stage.app().session().playback.set_playing(false);
   stage.app().run_command("play.go_to_frame", {{"frame", 5}});
   stage.settle();
   const std::string before = stage.app().save_text();

@@ -115,7 +115,7 @@ test("the figure is let go, watched, and put back", async ({ marey }) => {
   await marey.click("menu.Analyse");
   await marey.click("menu.analysis.let_go");
   await marey.expectState(({ undoDepth, playing }) => ({ undoDepth, playing }), { undoDepth: before.undoDepth + 1, playing: true });
-  await marey.command("play.pause");
+  await marey.press("Space");
   await marey.picture("let-go");
   await marey.press("Control+z");
   await marey.expectState(({ undoDepth }) => undoDepth, before.undoDepth);
