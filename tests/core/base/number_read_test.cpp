@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <limits>
@@ -87,7 +88,8 @@ TEST(ReadNumber, RoundsHalfwayCasesToEven) {
     const double low = std::abs(random.between(1e-3, 1e6));
     const double high = std::nextafter(low, 1e300);
     const long double middle = (static_cast<long double>(low) + static_cast<long double>(high)) / 2;
-    const std::string text = fmt::format("{:.60f}", middle);
+    char buffer[80];
+    const std::string text(buffer, static_cast<std::size_t>(std::snprintf(buffer, sizeof buffer, "%.60Lf", middle)));
     if (!all_readers_agree(text) || !all_readers_agree(text + "1")) return;
   }
 }

@@ -65,11 +65,11 @@ TEST_F(ContactEdits, OfFramesAndNodesThatThereAreNotAreRefused) {
   EXPECT_FALSE(say({kFoot}, {18, 3}, true));
   EXPECT_FALSE(say({kFoot}, {-1, 3}, true));
   EXPECT_FALSE(say({99}, {1, 3}, true));
-  Edit edit;
-  edit.body.emplace().contacts = {{kFoot, 4, 8, true}, {kFoot, 8, 9, true}};
-  EXPECT_FALSE(check_edit(clip, edit));
-  edit.body->contacts = {{kFoot, 9, 8, true}};
-  EXPECT_FALSE(check_edit(clip, edit));
+  BodyChoice body;
+  body.contacts = {{kFoot, 4, 8, true}, {kFoot, 8, 9, true}};
+  EXPECT_FALSE(check_edit(clip, make_body_edit(clip, body)));
+  body.contacts = {{kFoot, 9, 8, true}};
+  EXPECT_FALSE(check_edit(clip, make_body_edit(clip, body)));
 }
 
 TEST_F(ContactEdits, MoveUpWithTheirFrames) {
