@@ -195,7 +195,12 @@ std::vector<JointState> PassiveChain::world_states() const {
   return states;
 }
 
-void PassiveMotion::add_frame(const PassiveChain& chain) {
+Status PassiveMotion::add_frame(PassiveChain& chain, double frame_time_s) {
+  if (Status status = chain.advance(frame_time_s); !status) {
+    Error error = status.error();
+    error.message = fmt::format("After {:.3g} s: {}", frame_count() * frame_time_s, error.message);
+    return error;
+  }
   if (frame_count() == 0) {
     joint_count = chain.joint_count();
     for (JointIndex joint = 0; joint < joint_count; ++joint) {
@@ -207,18 +212,14 @@ void PassiveMotion::add_frame(const PassiveChain& chain) {
   kinetic_energies.push_back(chain.kinetic_energy());
   potential_energies.push_back(chain.potential_energy());
   energy_drift = chain.energy_drift();
+  return {};
 }
 
 Result<PassiveMotion> find_passive_motion(PassiveChain chain, double frame_time_s, int frame_count,
                                           const std::function<bool(double)>& carry_on) {
   PassiveMotion motion;
   for (int frame = 0; frame < frame_count; ++frame) {
-    if (Status status = chain.advance(frame_time_s); !status) {
-      Error error = status.error();
-      error.message = fmt::format("After {:.3g} s: {}", frame * frame_time_s, error.message);
-      return error;
-    }
-    motion.add_frame(chain);
+    if (Status status = motion.add_frame(chain, frame_time_s); !status) return status.error();
     if (carry_on && !carry_on((frame + 1.0) / frame_count)) {
       return Error{DiagnosticCode::Cancelled, {}, "Letting the figure go was stopped.", {}, {}};
     }

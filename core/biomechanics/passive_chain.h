@@ -103,8 +103,9 @@ struct PassiveMotion {
   double energy_drift = 0.0;  ///< see PassiveChain
 
   [[nodiscard]] int frame_count() const { return size_of(kinetic_energies); }
-  /// Adds the state of a chain as a further frame; always of the same chain.
-  void add_frame(const PassiveChain& chain);
+  /// Moves a chain on by the time of a frame and adds that; always of the same chain. Errors: those of PassiveChain::advance(),
+  /// with the time behind the start; no frame is added then.
+  [[nodiscard]] Status add_frame(PassiveChain& chain, double frame_time_s);
 };
 
 /// The frames that follow the chain's state, which is not among them. `carry_on(share)` is called after each with how much is

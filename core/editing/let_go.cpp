@@ -155,12 +155,7 @@ Result<LetGo> LetGo::make(const Clip& clip, const LetGoChoice& choice) {
 
 Status LetGo::advance(int frames) {
   for (; frames > 0 && done() < all(); --frames) {
-    if (Status status = chain_.advance(frame_time_s_); !status) {
-      Error error = status.error();
-      error.message = fmt::format("After {:.3g} s: {}", done() * frame_time_s_, error.message);
-      return error;
-    }
-    passive_.add_frame(chain_);
+    if (Status status = passive_.add_frame(chain_, frame_time_s_); !status) return status;
   }
   return {};
 }
