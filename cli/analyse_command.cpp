@@ -28,6 +28,7 @@ struct AnalyseOptions {
   Input input;
   std::vector<std::string> quantities;
   std::string model;
+  std::string save_model;
   std::string body;                ///< find_body_table(); empty: none
   std::optional<double> mass_kg;
   std::string support = "auto";
@@ -134,14 +135,32 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
   return request.model ? std::optional(std::move(request)) : std::nullopt;
 }
 
+/// The masses that are asked for, else those that the clip tells by itself; nothing without any, which has been reported.
+std::optional<BodyModel> find_model(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
+  if (request.model) return request.model;
+  Result<ChosenBody> body = find_chosen_body(clip);
+  if (body) return std::move(body->body.model);
+  report_error(options.input.file, body.error());
+  return std::nullopt;
+}
+
+/// Writes the masses as a model; false if that fails, which has been reported.
+bool write_model(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
+  const std::optional<BodyModel> model = find_model(options, clip, request);
+  if (!model) return false;
+  const Result<std::string> text = write_body_model(*model, clip.skeleton);
+  if (!text) {
+    report_error(options.input.file, text.error());
+    return false;
+  }
+  OutputFile file(options.save_model);
+  file.write(*text);
+  return file.close();
+}
+
 /// Says what speaks for or against unit, frame time and floor; false if that cannot be judged, which has been reported.
 bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
-  std::optional<BodyModel> model = request.model;
-  if (!model) {
-    Result<ChosenBody> body = find_chosen_body(clip);
-    if (body) model = std::move(body->body.model);
-    else report_error(options.input.file, body.error());
-  }
+  const std::optional<BodyModel> model = find_model(options, clip, request);
   if (!model) return false;
   Clip judged = clip;
   if (request.frame_time_s) judged.motion.set_frame_time_s(*request.frame_time_s);
@@ -156,8 +175,8 @@ bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const 
 }
 
 ExitCode run_analyse(const AnalyseOptions& options) {
-  if (options.quantities.empty() && !options.judges) {
-    report_usage_error("Say what to write by -q, or --judge.");
+  if (options.quantities.empty() && !options.judges && options.save_model.empty()) {
+    report_usage_error("Say what to write by -q, --judge, or --save-model.");
     return ExitCode::BadInput;
   }
   std::optional<BvhClip> read = read_clip_for_use(options.input);
@@ -166,6 +185,7 @@ ExitCode run_analyse(const AnalyseOptions& options) {
   const std::optional<AnalysisRequest> request = make_request(options, clip);
   if (!request) return ExitCode::BadInput;
   if (options.judges && !report_plausibility(options, clip, *request)) return ExitCode::BadInput;
+  if (!options.save_model.empty() && !write_model(options, clip, *request)) return ExitCode::BadInput;
   if (options.quantities.empty()) return ExitCode::Done;
   const Result<AnalysisTable> table = analyse(clip, *request);
   if (!table) {
@@ -198,6 +218,7 @@ void add_analyse_command(CLI::App& program, ExitCode& exit_code) {
       ->take_all();
   command->add_flag("--judge", options->judges, "Say what speaks for or against the unit of length, the frame time and the floor");
   command->add_option("--model", options->model, "JSON file with the masses of the segments; quantities with mass need it");
+  command->add_option("--save-model", options->save_model, "JSON file to write with the masses that are used, as --model reads it");
   CLI::Option* body = command->add_option("--body", options->body, "Masses by a table, by the names of the joints and the lengths of the bones")
                           ->check(CLI::IsMember({"deleva-male", "deleva-female", "winter", "rods"}))
                           ->excludes("--model");

@@ -6,11 +6,9 @@
 #include <string_view>
 
 #include "core/base/result.h"
+#include "core/base/text_place.h"
 
 namespace marey::cli {
-
-/// Line and column of the byte at `offset`, both from 1.
-[[nodiscard]] TextPlace place_of(std::string_view text, std::size_t offset);
 
 /// What a JSON text holds. Error InvalidArgument with the place: "The recipe is not valid JSON.", where `what` is "The recipe".
 template <class Json>
@@ -19,7 +17,7 @@ template <class Json>
     return Json::parse(text);
   } catch (const typename Json::parse_error& error) {
     const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
-    return Error{DiagnosticCode::InvalidArgument, place_of(text, offset), fmt::format("{} is not valid JSON.", what), {}, {}};
+    return Error{DiagnosticCode::InvalidArgument, text_place(text, offset), fmt::format("{} is not valid JSON.", what), {}, {}};
   }
 }
 

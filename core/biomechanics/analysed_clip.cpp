@@ -11,8 +11,7 @@ namespace marey {
 
 AnalysedClip::AnalysedClip(const Clip& clip, const AnalysisRequest& request, BodyMotion body)
     : clip_(clip), request_(request), body_(std::move(body)) {
-  gravity_[static_cast<int>(clip.settings.up_axis)] = -9.81;
-  if (request.model && request.model->gravity_mps2) gravity_ = *request.model->gravity_mps2;
+  gravity_ = find_gravity(request.model ? request.model->gravity_mps2 : std::nullopt, clip.settings.up_axis);
 }
 
 SettledSupport AnalysedClip::settle_support() const {

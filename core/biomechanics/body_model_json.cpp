@@ -1,6 +1,7 @@
 #include "core/biomechanics/body_model_json.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -78,6 +79,25 @@ Result<BodyModel> read_body_model(const Json& json, const Skeleton& skeleton) {
   }
   if (Status status = check_body_model(model, skeleton); !status) return status.error();
   return model;
+}
+
+Result<std::string> write_body_model(const BodyModel& model, const Skeleton& skeleton) {
+  std::string text = "{";
+  if (model.metres_per_unit) text += fmt::format("\n  \"metres_per_unit\": {},", *model.metres_per_unit);
+  if (const auto& gravity = model.gravity_mps2) text += fmt::format("\n  \"gravity\": [{}, {}, {}],", gravity->x, gravity->y, gravity->z);
+  text += "\n  \"segments\": [";
+  for (std::size_t i = 0; i < model.segments.size(); ++i) {
+    const Segment& segment = model.segments[i];
+    const std::string& name = skeleton.name(segment.joint);
+    if (find_joint(skeleton, name) != segment.joint) {
+      return model_error(fmt::format("Two joints are named '{}', so a model cannot tell them apart. Rename one.", name));
+    }
+    const glm::dvec3& com = segment.com_m;
+    const std::string quoted = Json(name).dump(-1, ' ', true, Json::error_handler_t::replace);
+    text += fmt::format("{}\n    {{\"joint\": {}, \"mass_kg\": {}, \"com_m\": [{}, {}, {}], \"inertia_kgm2\": [{}]}}", i == 0 ? "" : ",", quoted,
+                        segment.mass_kg, com.x, com.y, com.z, fmt::join(moments_of(segment.inertia_kgm2), ", "));
+  }
+  return text + "\n  ]\n}\n";
 }
 
 }  // namespace marey

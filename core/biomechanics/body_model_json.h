@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <string>
 
 #include "core/base/result.h"
 #include "core/biomechanics/body_model.h"
@@ -13,5 +14,9 @@ namespace marey {
 /// Unit and gravity may be missing, and so may an inertia, which is 0 then. Of joints of one name the first is meant. Error
 /// InvalidArgument, which names segment and entry.
 [[nodiscard]] Result<BodyModel> read_body_model(const nlohmann::json& json, const Skeleton& skeleton);
+
+/// The same as text, a line a segment, to the last bit. Refused with InvalidArgument where a joint with mass has the name of one
+/// before it, for which it would be taken.
+[[nodiscard]] Result<std::string> write_body_model(const BodyModel& model, const Skeleton& skeleton);
 
 }  // namespace marey

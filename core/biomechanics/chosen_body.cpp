@@ -1,11 +1,17 @@
 #include "core/biomechanics/chosen_body.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
+
+#include "core/base/counted.h"
 
 namespace marey {
 namespace {
 
-void give_mass(GuessedBody& body, const OwnMass& own) {
+// What the table gave keeps its shape, so inertia goes along.
+void give_mass(GuessedBody& body, const OwnSegment& own) {
   double present_kg = 0.0;
   for (const Segment& segment : body.model.segments) present_kg += segment.joint == own.joint ? segment.mass_kg : 0.0;
   if (!(present_kg > 0.0)) return;
@@ -18,9 +24,29 @@ void give_mass(GuessedBody& body, const OwnMass& own) {
   for (GuessedPart& part : body.parts) part.mass_kg *= part.joint == own.joint ? factor : 1.0;
 }
 
-}  // namespace
+void give_segment(GuessedBody& body, const OwnSegment& own) {
+  if (!own.shape) {
+    give_mass(body, own);
+    return;
+  }
+  const auto same = std::find_if(body.parts.begin(), body.parts.end(), [&](const GuessedPart& part) { return part.joint == own.joint; });
+  GuessedPart part{own.joint, same == body.parts.end() ? std::string("own segment") : same->name, own.mass_kg};
+  std::erase_if(body.model.segments, [&](const Segment& segment) { return segment.joint == own.joint; });
+  std::erase_if(body.parts, [&](const GuessedPart& p) { return p.joint == own.joint; });
+  body.model.segments.push_back({own.joint, own.mass_kg, own.shape->com_m, symmetric_tensor(own.shape->inertia_kgm2)});
+  const auto behind = std::find_if(body.parts.begin(), body.parts.end(), [&](const GuessedPart& p) { return p.joint > own.joint; });
+  body.parts.insert(behind, std::move(part));
+}
 
-Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit) {
+Result<ChosenBody> find_own_body(const BodyChoice& choice, double metres_per_unit) {
+  ChosenBody chosen;
+  for (const OwnSegment& own : choice.segments) give_segment(chosen.body, own);
+  chosen.body.model.metres_per_unit = metres_per_unit;
+  if (total_mass_kg(chosen.body.model) > 0.0) return chosen;
+  return Error{DiagnosticCode::InvalidArgument, {}, "No segment has a mass. Give one to a joint, open a model, or choose a table.", {}, {}};
+}
+
+Result<ChosenBody> find_table_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit) {
   const auto guess = [&](BodyTable table) {
     return guess_body(skeleton, table, choice.mass_kg.value_or(usual_mass_kg(table)), metres_per_unit, choice.parts);
   };
@@ -31,9 +57,28 @@ Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& 
     body = guess(table);
   }
   if (!body) return body.error();
-  for (const OwnMass& own : choice.own) give_mass(*body, own);
-  const double mass_kg = total_mass_kg(body->model);
-  return ChosenBody{std::move(*body), table, mass_kg};
+  ChosenBody chosen;
+  chosen.body = std::move(*body);
+  chosen.table = table;
+  for (const OwnSegment& own : choice.segments) give_segment(chosen.body, own);
+  return chosen;
+}
+
+}  // namespace
+
+std::string describe_source(const ChosenBody& body) {
+  const std::string own = body.own_count == 0 ? std::string() : fmt::format("own values of {}", counted(body.own_count, "segment"));
+  if (!body.table) return own;
+  return fmt::format("{}{}{}", body_table_name(*body.table), own.empty() ? "" : " and ", own);
+}
+
+Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& choice, double metres_per_unit) {
+  Result<ChosenBody> chosen = choice.is_only_own ? find_own_body(choice, metres_per_unit) : find_table_body(skeleton, choice, metres_per_unit);
+  if (!chosen) return chosen;
+  chosen->body.model.gravity_mps2 = choice.gravity_mps2;
+  chosen->own_count = static_cast<int>(choice.segments.size());
+  chosen->mass_kg = total_mass_kg(chosen->body.model);
+  return chosen;
 }
 
 Result<ChosenBody> find_chosen_body(const Clip& clip) {

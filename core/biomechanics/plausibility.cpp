@@ -11,7 +11,6 @@
 namespace marey {
 namespace {
 
-constexpr double kGravity = 9.81;
 constexpr double kDeep_m = 0.02;
 constexpr double kSlide_mps = 0.1;
 constexpr double kLeastStature_m = 1.2;
@@ -107,14 +106,13 @@ void describe_energy(const Plausibility& found, double frame_time_s, std::vector
 
 void describe_flight(const Plausibility& found, std::vector<std::string>& sentences) {
   if (!found.fall_mps2) return;
-  const double share = *found.fall_mps2 / kGravity;
   const std::string frames = counted(found.flight_frames, "frame");
-  if (std::abs(share - 1.0) <= kFallTolerance) {
+  if (std::abs(*found.fall_mps2 - found.gravity_mps2) <= kFallTolerance * found.gravity_mps2) {
     sentences.push_back(fmt::format("In {} without contact it falls by {:.1f} m/s², as it should.", frames, *found.fall_mps2));
   } else {
-    sentences.push_back(fmt::format("In {} without contact it falls by {:.1f} m/s² instead of 9.8: the unit of length or the frame time is off, "
+    sentences.push_back(fmt::format("In {} without contact it falls by {:.1f} m/s² instead of {:.1f}: the unit of length or the frame time is off, "
                                     "or something holds it.",
-                                    frames, *found.fall_mps2));
+                                    frames, *found.fall_mps2, found.gravity_mps2));
   }
 }
 
@@ -139,12 +137,11 @@ Result<Plausibility> judge(const Clip& clip, const BodyModel& model, const Deriv
   Result<BodyMotion> body = find_body_motion(clip, derivation, frame_time, unit);
   if (!body) return body.error();
   const int up = static_cast<int>(clip.settings.up_axis);
-  glm::dvec3 gravity(0.0);
-  gravity[up] = -kGravity;
-  if (model.gravity_mps2) gravity = *model.gravity_mps2;
+  const glm::dvec3 gravity = find_gravity(model.gravity_mps2, clip.settings.up_axis);
   std::vector<BodyState> states;
   for (FrameIndex frame = 0; frame < body->frame_count; ++frame) states.push_back(find_body_state(*body, model, gravity, frame));
   Plausibility found;
+  found.gravity_mps2 = glm::length(gravity);
   found.stature_m = compute_stature(clip.skeleton) * unit;
   if (roots_stand_still(*body, clip.skeleton)) {
     judge_energy(states, frame_time, found);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/biomechanics/own_segments.h"
+
 namespace marey {
 namespace {
 
@@ -36,10 +38,23 @@ Edit make_settings_edit(const Clip& clip, const ClipSettings& settings) {
 
 Edit make_body_edit(const Clip& clip, const BodyChoice& body) {
   Edit edit;
-  edit.name = body.table != clip.body.table       ? "Change table of the body"
-              : body.mass_kg != clip.body.mass_kg ? "Change mass of the body"
-                                                  : "Change mass of a segment";
+  const BodyChoice& before = clip.body;
+  edit.name = body.table != before.table || body.is_only_own != before.is_only_own ? "Change table of the body"
+              : body.mass_kg != before.mass_kg                                     ? "Change mass of the body"
+              : body.gravity_mps2 != before.gravity_mps2                           ? "Change gravity"
+              : body.parts != before.parts                                         ? "Change what a joint carries"
+                                                                                   : "Change a segment";
   edit.body = body;
+  return edit;
+}
+
+Edit make_model_edit(const Clip& clip, const BodyModel& model) {
+  Edit edit;
+  edit.name = "Open a model of the body";
+  edit.body = choose_model(clip.body, model);
+  if (!model.metres_per_unit) return edit;
+  edit.settings = clip.settings;
+  edit.settings->metres_per_unit = *model.metres_per_unit;
   return edit;
 }
 

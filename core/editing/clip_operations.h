@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/biomechanics/body_model.h"
 #include "core/editing/edit.h"
 
 namespace marey {
@@ -11,8 +12,11 @@ namespace marey {
 /// character set of the names.
 [[nodiscard]] Edit make_settings_edit(const Clip& clip, const ClipSettings& settings);
 
-/// Changes the masses of the figure: the table, the mass of the body, or those of segments.
+/// Changes what is known of the body: table, mass, gravity, segments, what joints carry.
 [[nodiscard]] Edit make_body_edit(const Clip& clip, const BodyChoice& body);
+
+/// Gives the body the masses of a model, and no others, its gravity, and its unit of length where it has one.
+[[nodiscard]] Edit make_model_edit(const Clip& clip, const BodyModel& model);
 
 /// Changes the time of a frame, so the speed of the clip; the samples stay. Refused on applying if it is no is_frame_time().
 [[nodiscard]] Edit make_frame_time_edit(double frame_time_s);

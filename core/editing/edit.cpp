@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/bits.h"
+#include "core/biomechanics/body_model.h"
 #include "core/motion/frame_time.h"
 
 namespace marey {
@@ -133,14 +134,23 @@ Status check_contacts(const std::vector<OwnContact>& contacts, const Skeleton& s
   return {};
 }
 
-Status check_body(const BodyChoice& body, int joint_count) {
+Status check_body(const BodyChoice& body, const Skeleton& skeleton) {
+  const int joint_count = skeleton.joint_count();
   if (body.mass_kg && !is_positive(*body.mass_kg)) {
     return refusal(DiagnosticCode::InvalidArgument, "The mass of the body must be more than 0 kg.");
   }
-  for (const OwnMass& own : body.own) {
-    if (own.joint < 0 || own.joint >= joint_count || !std::isfinite(own.mass_kg) || own.mass_kg < 0.0) {
+  JointIndex before = kNoParent;
+  for (const OwnSegment& own : body.segments) {
+    if (own.joint <= before || own.joint >= joint_count || !std::isfinite(own.mass_kg) || own.mass_kg < 0.0) {
       return refusal(DiagnosticCode::InvalidArgument, "The mass of a segment must be 0 kg or more, and of a joint of the figure.");
     }
+    before = own.joint;
+    if (!own.shape) continue;
+    const Segment segment{own.joint, own.mass_kg, own.shape->com_m, symmetric_tensor(own.shape->inertia_kgm2)};
+    if (Status status = check_segment(segment, skeleton.name(own.joint)); !status) return status;
+  }
+  if (const auto& gravity = body.gravity_mps2; gravity && !std::isfinite(gravity->x + gravity->y + gravity->z)) {
+    return refusal(DiagnosticCode::InvalidArgument, "Gravity must be three numbers in metres per second squared.");
   }
   for (const OwnPart& own : body.parts) {
     if (own.joint < 0 || own.joint >= joint_count) {
@@ -274,7 +284,7 @@ Status check_edit(const Clip& clip, const Edit& edit) {
   }
   if (Status status = check_scalars(edit); !status) return status;
   const Skeleton& skeleton = edit.figure ? edit.figure->skeleton : clip.skeleton;
-  if (Status status = edit.body ? check_body(*edit.body, skeleton.joint_count()) : Status{}; !status) return status;
+  if (Status status = edit.body ? check_body(*edit.body, skeleton) : Status{}; !status) return status;
   const int frame_count = clip.motion.frame_count() + (edit.frames ? edit.frames->inserted.frame_count() - edit.frames->removed.count : 0);
   if (Status status = edit.body ? check_contacts(edit.body->contacts, skeleton, frame_count) : Status{}; !status) return status;
   if (have_overlap(edit.samples) || have_repeat(edit.offsets)) {
@@ -353,7 +363,7 @@ std::size_t edit_bytes(const Edit& edit) {
     bytes += edit.frames->inserted.samples().size() * sizeof(double) + edit.frames->file_frames.size() * sizeof(FrameIndex);
   }
   if (edit.stack) bytes += unshared_bytes(*edit.stack);
-  if (edit.body) bytes += edit.body->own.size() * sizeof(OwnMass) + edit.body->parts.size() * sizeof(OwnPart) + edit.body->contacts.size() * sizeof(OwnContact);
+  if (edit.body) bytes += edit.body->segments.size() * sizeof(OwnSegment) + edit.body->parts.size() * sizeof(OwnPart) + edit.body->contacts.size() * sizeof(OwnContact);
   return bytes;
 }
 

@@ -135,8 +135,7 @@ Result<LetGo> LetGo::make(const Clip& clip, const LetGoChoice& choice) {
   if (!state) return state.error();
   PassiveSettings settings;
   settings.root_held = choice.root == LetGoChoice::Root::Held || (choice.root == LetGoChoice::Root::Auto && roots_stand_still(clip));
-  settings.gravity_mps2 = glm::dvec3(0.0);
-  settings.gravity_mps2[static_cast<int>(clip.settings.up_axis)] = -9.81;
+  settings.gravity_mps2 = find_gravity(clip.body.gravity_mps2, clip.settings.up_axis);
   if (Status status = settings.root_held ? Status{} : check_can_fall(clip.skeleton); !status) return status.error();
   const Result<int> frame_count = find_frame_count(clip.motion, choice.seconds);
   if (!frame_count) return frame_count.error();
@@ -149,7 +148,7 @@ Result<LetGo> LetGo::make(const Clip& clip, const LetGoChoice& choice) {
   result.frame_count_ = *frame_count;
   result.frame_time_s_ = clip.motion.frame_time_s();
   result.is_held_ = settings.root_held;
-  result.body_ = fmt::format("{:.3g} kg by {}", body->mass_kg, body_table_name(body->table));
+  result.body_ = fmt::format("{:.3g} kg by {}", body->mass_kg, describe_source(*body));
   return result;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <vector>
 
@@ -17,11 +19,19 @@ enum class BodyTable : std::uint8_t {
   Rods,          ///< every bone a uniform rod whose mass goes with its length, whatever the figure
 };
 
-/// The mass of what a joint carries, in place of the table's.
-struct OwnMass {
+/// Where the mass of what a joint carries lies, in the joint's own axes, which stand like the world's in the rest pose.
+struct OwnShape {
+  glm::dvec3 com_m{0.0};                    ///< centre of mass, from the joint's origin
+  std::array<double, 6> inertia_kgm2{};     ///< about the centre of mass: xx yy zz xy xz yz, as in symmetric_tensor()
+  friend bool operator==(const OwnShape&, const OwnShape&) = default;
+};
+
+/// All that a joint carries, in place of what the table says.
+struct OwnSegment {
   JointIndex joint = 0;
-  double mass_kg = 0.0;  ///< >= 0
-  friend bool operator==(const OwnMass&, const OwnMass&) = default;
+  double mass_kg = 0.0;           ///< >= 0
+  std::optional<OwnShape> shape;  ///< none: that of the table, whose inertia goes along with the mass
+  friend bool operator==(const OwnSegment&, const OwnSegment&) = default;
 };
 
 /// Parts of a human body.
@@ -48,7 +58,9 @@ struct OwnContact {
 struct BodyChoice {
   std::optional<BodyTable> table;  ///< none: de Leva, male, where the joints tell a human body, else rods
   std::optional<double> mass_kg;   ///< > 0; none: that of the table's average subject
-  std::vector<OwnMass> own{};      ///< rising by joint
+  std::vector<OwnSegment> segments{};  ///< rising by joint
+  bool is_only_own = false;        ///< no table is asked: what is not in `segments` has no mass
+  std::optional<glm::dvec3> gravity_mps2{};  ///< in the world; none: 9.81 down the up axis
   std::vector<OwnPart> parts{};    ///< rising by joint
   std::vector<OwnContact> contacts{};  ///< rising by node, then by frame; none overlaps another
   friend bool operator==(const BodyChoice&, const BodyChoice&) = default;

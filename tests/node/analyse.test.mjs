@@ -85,7 +85,7 @@ describe("marey analyse", () => {
     const { status, stderr } = run(["analyse", swing, "--judge", "--body", "deleva-male"]);
     assert.equal(status, 0, stderr);
     assert.match(stderr, /note: .*energy/i);
-    assert.match(run(["analyse", swing]).stderr, /Say what to write by -q, or --judge/);
+    assert.match(run(["analyse", swing]).stderr, /Say what to write by -q, --judge, or --save-model/);
   });
 
   test("takes contacts as they are said", () => {
@@ -128,6 +128,32 @@ describe("marey analyse", () => {
   test("tells what the numbers rest on", () => {
     const { stderr } = run(["analyse", swing, "-q", "reaction", "--model", modelFile()]);
     assert.match(stderr, /note: Held at its root; the torque there is a residual/);
+  });
+});
+
+describe("models of the body", () => {
+  test("are written as they are read", () => {
+    const saved = join(folder, "saved.json");
+    assert.equal(run(["analyse", swing, "--model", modelFile(), "--save-model", saved]).status, 0);
+    assert.deepEqual(JSON.parse(readFileSync(saved, "utf8")), model);
+    const made = join(folder, "made.json");
+    const quantities = ["-q", "torque:*", "--support", "pivot"];
+    const direct = run(["analyse", swing, ...quantities, "--body", "deleva-male", "--save-model", made]);
+    assert.deepEqual(run(["analyse", swing, ...quantities, "--model", made]).stdout, direct.stdout);
+  });
+
+  test("are the same by the module", async () => {
+    const marey = await createMarey();
+    const clip = marey.parse(readFileSync(swing));
+    const saved = join(folder, "rods.json");
+    assert.equal(run(["analyse", swing, "--body", "rods", "--mass", "50", "--save-model", saved]).status, 0);
+    const made = clip.bodyModel({ body: "rods", mass: 50 });
+    assert.equal(made.segments.length, 3);
+    made.segments.forEach((segment, i) => assert.ok(Math.abs(segment.mass_kg - JSON.parse(readFileSync(saved, "utf8")).segments[i].mass_kg) < 1e-9));
+    assert.ok(Math.abs(clip.bodyModel().segments.reduce((sum, { mass_kg }) => sum + mass_kg, 0) - 73) < 1e-9);
+    assert.throws(() => clip.bodyModel({ body: "wood" }), { code: "invalid_argument" });
+    assert.throws(() => clip.bodyModel({ mass: 0 }), { code: "invalid_argument" });
+    clip.dispose();
   });
 });
 

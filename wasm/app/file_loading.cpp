@@ -17,26 +17,31 @@ FileLoading::FileLoading(std::string file_name, std::int64_t size, FileUse use)
     : file_name_(std::move(file_name)), size_(size), use_(use) {
   StreamOptions options;
   options.expected_bytes = size;
-  if (!is_table(file_name_)) reader_.emplace(ReadOptions{}, options);
+  if (use != FileUse::BodyModel && !is_table(file_name_)) reader_.emplace(ReadOptions{}, options);
 }
 
 bool FileLoading::feed(std::string_view bytes) {
   if (failure_) return false;
   fed_bytes_ += static_cast<std::int64_t>(bytes.size());
   if (reader_) return reader_->feed(bytes);
-  table_ += bytes;
+  text_ += bytes;
   return true;
 }
 
 void FileLoading::give_up(Error error) {
   reader_.reset();
-  table_ = {};
+  text_ = {};
   failure_ = std::move(error);
 }
 
 Result<BvhClip> FileLoading::finish(const Document* open_document) {
   if (failure_) return *failure_;
-  return reader_ ? reader_->finish() : read_opened_table(table_, open_document);
+  return reader_ ? reader_->finish() : read_opened_table(text_, open_document);
+}
+
+Result<std::string> FileLoading::finish_text() {
+  if (failure_) return *failure_;
+  return std::move(text_);
 }
 
 std::vector<TextExcerpt> FileLoading::take_excerpts() {

@@ -15,7 +15,7 @@
 
 namespace marey::app {
 
-/// A file on its way into the program: a BVH file is read while it comes, a table once it is there.
+/// A file on its way into the program: a BVH file is read while it comes, a table or a model once it is there.
 class FileLoading {
  public:
   /// `size`: bytes of the file, 0 if nobody knows.
@@ -27,6 +27,8 @@ class FileLoading {
   void give_up(Error error);
   /// Call once, when all bytes are fed. `open_document` and errors: as in read_opened_table(), and those of read_bvh().
   [[nodiscard]] Result<BvhClip> finish(const Document* open_document);
+  /// In place of finish(), of a model: all of its bytes.
+  [[nodiscard]] Result<std::string> finish_text();
   /// After finish() gave a clip: of each of its diagnostics.
   [[nodiscard]] std::vector<TextExcerpt> take_excerpts();
 
@@ -48,8 +50,8 @@ class FileLoading {
   FileUse use_;
   std::int64_t fed_bytes_ = 0;
   std::int64_t shown_frames_ = 0;
-  std::optional<StreamReader> reader_;  ///< none for a table
-  std::string table_;
+  std::optional<StreamReader> reader_;  ///< none for a table or a model
+  std::string text_;
   std::optional<Error> failure_;
 };
 

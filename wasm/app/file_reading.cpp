@@ -1,5 +1,9 @@
 #include "wasm/app/file_reading.h"
 
+#include <nlohmann/json.hpp>
+
+#include "core/base/text_place.h"
+#include "core/biomechanics/body_model_json.h"
 #include "core/motion/resampling.h"
 #include "core/table/csv_reader.h"
 
@@ -18,17 +22,29 @@ BvhClip figure_of(const Document& document) {
   return figure;
 }
 
-}  // namespace
-
-bool is_table(std::string_view file_name) {
-  constexpr std::string_view kExtension = ".csv";
-  if (file_name.size() < kExtension.size()) return false;
-  const std::string_view end = file_name.substr(file_name.size() - kExtension.size());
+bool ends_in(std::string_view file_name, std::string_view extension) {
+  if (file_name.size() < extension.size()) return false;
+  const std::string_view end = file_name.substr(file_name.size() - extension.size());
   for (std::size_t i = 0; i < end.size(); ++i) {
     const char lower = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
-    if (lower != kExtension[i]) return false;
+    if (lower != extension[i]) return false;
   }
   return true;
+}
+
+}  // namespace
+
+bool is_table(std::string_view file_name) { return ends_in(file_name, ".csv"); }
+
+bool is_body_model(std::string_view file_name) { return ends_in(file_name, ".json"); }
+
+Result<BodyModel> read_opened_model(std::string_view bytes, const Skeleton& skeleton) {
+  try {
+    return read_body_model(nlohmann::json::parse(bytes), skeleton);
+  } catch (const nlohmann::json::parse_error& error) {
+    const TextPlace place = text_place(bytes, error.byte > 0 ? error.byte - 1 : 0);
+    return Error{DiagnosticCode::InvalidArgument, place, "This is not valid JSON, which a model of a body is.", {}, {}};
+  }
 }
 
 Result<BvhClip> read_opened_table(std::string_view bytes, const Document* open_document) {

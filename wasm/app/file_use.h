@@ -6,6 +6,7 @@ namespace marey::app {
 enum class FileUse {
   Document,   ///< it takes the place of the open clip
   OtherClip,  ///< it stands beside it, as Session::other
+  BodyModel,  ///< it gives the open clip masses
 };
 
 }  // namespace marey::app

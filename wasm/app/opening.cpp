@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/editing/clip_operations.h"
 #include "wasm/app/faults.h"
+#include "wasm/app/file_reading.h"
 #include "wasm/app/samples.h"
 #include "wasm/app/widgets.h"
 
@@ -82,11 +84,25 @@ void put_beside(Workspace& workspace, BvhClip clip) {
   const std::unique_ptr<FileLoading> loading = std::move(workspace.loading);
   auto other = std::make_shared<const OtherClip>(OtherClip{loading->file_name(), make_clip(std::move(clip))});
   std::string notice = "Read " + described(other->file_name, other->clip.skeleton, other->clip.motion) + ".";
-  workspace.session.other = std::move(other);
+  workspace.session.put_beside(std::move(other));
   workspace.notify(std::move(notice));
 }
 
+Status open_model(Workspace& workspace) {
+  const std::unique_ptr<FileLoading> loading = std::move(workspace.loading);
+  const Result<std::string> text = loading->finish_text();
+  if (!text) return text.error();
+  Session& session = workspace.session;
+  const Result<BodyModel> model = read_opened_model(*text, session.document.skeleton());
+  if (!model) return model.error();
+  if (Status status = session.apply(make_model_edit(session.document.clip(), *model)); !status) return status;
+  workspace.notify(fmt::format("Read {}: {}, {:.4g} kg.", ui::displayable(loading->file_name()), counted(size_of(model->segments), "segment"),
+                               total_mass_kg(*model)));
+  return {};
+}
+
 Status finish_and_open(Workspace& workspace) {
+  if (workspace.loading->use() == FileUse::BodyModel) return open_model(workspace);
   const Document& whole = workspace.whole_document();
   Result<BvhClip> clip = workspace.loading->finish(whole.skeleton().joint_count() > 0 ? &whole : nullptr);
   if (!clip) return clip.error();
@@ -115,9 +131,13 @@ void show_news(Workspace& workspace) {
 
 Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size, FileUse use) {
   workspace.cancel_loading();
+  if (use == FileUse::Document && is_body_model(file_name)) use = FileUse::BodyModel;
   Status begun = with_memory_for(reading(file_name), [&]() -> Status {
     if (use == FileUse::OtherClip && !workspace.has_clip()) {
       return Error{DiagnosticCode::InvalidArgument, {}, "Open a file first; this one would stand beside it.", "", ""};
+    }
+    if (use == FileUse::BodyModel && !workspace.has_clip()) {
+      return Error{DiagnosticCode::InvalidArgument, {}, "Open a clip first; a model gives its joints masses.", "", ""};
     }
     workspace.loading = std::make_unique<FileLoading>(file_name, size, use);
     return {};

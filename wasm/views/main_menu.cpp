@@ -27,8 +27,8 @@ constexpr std::string_view kView[] = {
     "view.projector", "view.performance"};
 
 constexpr std::string_view kAnalyse[] = {
-    "analysis.layout", "view.plots", "analysis.body", "analysis.let_go", "file.open_other", "#Contacts", "analysis.contact_on",
-    "analysis.contact_off", "analysis.contact_auto", "analysis.next_event", "analysis.previous_event", "#In the view", "view.com",
+    "analysis.layout", "view.plots", "file.open_other", "#Body", "analysis.body", "analysis.open_model", "analysis.save_model", "analysis.let_go",
+    "#Contacts", "analysis.contact_on", "analysis.contact_off", "analysis.contact_auto", "analysis.next_event", "analysis.previous_event", "#In the view", "view.com",
     "view.solids", "view.arrows.velocity", "view.arrows.acceleration", "view.arrows.force", "view.arrows.torque", "view.arrows.angular_momentum", "view.arrows.reaction", "#Download",
     "analysis.save_csv", "analysis.save_svg", "analysis.save_png"};
 

@@ -1,7 +1,7 @@
 import type { CoreProgram } from "./core_program.js";
 import type {
-  AnalyseOptions, Analysis, CharacterSet, Clip, Diagnostic, Exported, ExportTarget, Joint, PositionMeaning, WriteForOptions, WriteOptions,
-  WriteTableOptions,
+  AnalyseOptions, Analysis, BodyModel, BodyModelOptions, CharacterSet, Clip, Diagnostic, Exported, ExportTarget, Joint, PositionMeaning,
+  WriteForOptions, WriteOptions, WriteTableOptions,
 } from "./marey.js";
 import { MareyError } from "./marey_error.js";
 
@@ -161,9 +161,7 @@ export class ClipInMemory implements Clip {
         throw new MareyError("invalid_argument", "A contact is { joint, first, last, touches }, frames from 0.");
       }
     }
-    if (options.mass !== undefined && !(options.mass > 0 && Number.isFinite(options.mass))) {
-      throw new MareyError("invalid_argument", "The mass is a number of kilograms above 0.");
-    }
+    checkMass(options.mass);
     const request = new TextEncoder().encode(JSON.stringify(options));
     return withMemory(() => {
       const done = withBytes(this.module, request, (address) => this.module._marey_clip_analyse(handle, address, request.length));
@@ -175,6 +173,19 @@ export class ClipInMemory implements Clip {
         return { name, values: this.module.HEAPF64.slice(at, at + this.frameCount) };
       });
       return { columns, notes: answer.notes };
+    });
+  }
+
+  bodyModel(options: BodyModelOptions = {}): BodyModel {
+    const handle = this.open();
+    if (options.body !== undefined && typeof options.body !== "string") throw new MareyError("invalid_argument", '"body" is a text.');
+    checkMass(options.mass);
+    const request = new TextEncoder().encode(JSON.stringify(options));
+    return withMemory(() => {
+      const done = withBytes(this.module, request, (address) => this.module._marey_clip_body(handle, address, request.length));
+      const answer = JSON.parse(new TextDecoder().decode(copyText(this.module, handle)));
+      if (done === 0) throw errorOf(answer);
+      return answer;
     });
   }
 
@@ -251,6 +262,11 @@ export function withBytes<T>(module: CoreProgram, bytes: Uint8Array, call: (addr
   } finally {
     module._free(address);
   }
+}
+
+function checkMass(mass: number | undefined): void {
+  if (mass === undefined || (mass > 0 && Number.isFinite(mass))) return;
+  throw new MareyError("invalid_argument", "The mass is a number of kilograms above 0.");
 }
 
 function isIndex(value: number, count: number): boolean {

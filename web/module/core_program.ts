@@ -30,6 +30,7 @@ export interface CoreProgram {
   _marey_clip_write_for(clip: number, target: number, targetSize: number, referencePose: number, decimals: number,
     lineEnd: number): number;
   _marey_clip_analyse(clip: number, request: number, requestSize: number): number;
+  _marey_clip_body(clip: number, request: number, requestSize: number): number;
   _marey_clip_numbers(clip: number): number;
   _marey_clip_report(clip: number): number;
   _marey_clip_report_size(clip: number): number;

@@ -87,6 +87,12 @@ export interface Clip {
    */
   analyse(options: AnalyseOptions): Analysis;
 
+  /**
+   * Masses for the figure, as `analyse({ model })` takes them: by a table, or, without one, as the names of the joints and the lengths
+   * of the bones tell. Throws a MareyError where the figure is none of the table's kind.
+   */
+  bodyModel(options?: BodyModelOptions): BodyModel;
+
   /** Gives the memory back; the clip cannot be used afterwards. */
   dispose(): void;
 }
@@ -134,6 +140,12 @@ export interface BodyModel {
   /** Metres per second squared; by default 9.81 down the clip's up axis. */
   gravity?: readonly [number, number, number];
   segments: readonly BodySegment[];
+}
+
+export interface BodyModelOptions {
+  body?: "deleva-male" | "deleva-female" | "winter" | "rods";
+  /** Of the body, in kg, beside `body`; by default that of the table's average subject. */
+  mass?: number;
 }
 
 /** What holds of the points that hang on a joint, or of an end site, in place of what their paths tell. */

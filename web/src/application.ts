@@ -21,6 +21,9 @@ import { TextField } from "./text_field";
 /** Shown when the page's address asks for nothing else. */
 const firstSample = "walk";
 
+/** A model of the body, which gives the open clip masses and does not take its place. */
+const isBodyModel = (name: string): boolean => /\.json$/i.test(name);
+
 /** The started page: the program and everything that feeds it. */
 export class Application {
   readonly loop: FrameLoop;
@@ -90,7 +93,7 @@ export class Application {
   async open(name: string, source: FileSource, beside = false): Promise<void> {
     try {
       await this.loader.load(name, source, beside);
-      if (!beside) this.opened = { name, source };
+      if (!beside && !isBodyModel(name)) this.opened = { name, source };
     } catch (error) {
       if (!(error instanceof MareyError)) this.fail("stopped", error);
       throw error;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/counted.h"
+#include "core/editing/body_carrying.h"
 #include "core/editing/figure_draft.h"
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/figure_edit.h"
@@ -147,6 +148,12 @@ Outcome make_up_axis(const OperationCall& call) {
   ClipSettings settings = call.clip.settings;
   settings.up_axis = to;
   outcome->edit.settings = settings;
+  glm::dmat3 rotation(0.0);
+  for (int axis = 0; axis < 3; ++axis) rotation[axis][turn.to[idx(axis)]] = turn.sign[idx(axis)];
+  BodyChoice body = call.clip.body;
+  turn_own_segments(body, std::vector<glm::dmat3>(idx(call.clip.skeleton.joint_count()), rotation));
+  if (body.gravity_mps2) body.gravity_mps2 = turn.apply(*body.gravity_mps2);
+  if (!(body == call.clip.body)) outcome->edit.body = std::move(body);
   return outcome;
 }
 
@@ -210,6 +217,11 @@ Outcome make_rest_pose(const OperationCall& call) {
     const JointIndex above = n.is_end_site ? n.joint : skeleton.parent(n.joint);
     if (above != kNoParent) outcome.edit.offsets.push_back({node, rest[idx(above)] * n.offset});
   }
+  std::vector<glm::dmat3> rotations;
+  for (const glm::dquat& rotation : rest) rotations.push_back(glm::mat3_cast(rotation));
+  BodyChoice body = call.clip.body;
+  turn_own_segments(body, rotations);
+  if (!(body == call.clip.body)) outcome.edit.body = std::move(body);
   return outcome;
 }
 

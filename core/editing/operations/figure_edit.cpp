@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/editing/body_carrying.h"
 #include "core/kinematics/forward_kinematics.h"
 
 namespace marey {
@@ -38,14 +39,6 @@ double largest_move(const Clip& clip, const FigureChange& figure, const std::vec
   return largest;
 }
 
-bool are_same_nodes(const std::vector<NodeIndex>& origins, const Skeleton& skeleton) {
-  if (size_of(origins) != skeleton.node_count()) return false;
-  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (origins[idx(node)] != node) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft draft, std::vector<std::string> notes,
@@ -61,17 +54,8 @@ Result<OperationOutcome> make_figure_edit(const OperationCall& call, FigureDraft
       outcome.notes.push_back(fmt::format("Points of the figure move by up to {:.4g} file units.", move));
     }
   }
-  // Joints are known by their numbers, which are others now.
-  const BodyChoice& body = call.clip.body;
-  if (!(body.own.empty() && body.parts.empty() && body.contacts.empty()) && !are_same_nodes(origins, call.clip.skeleton)) {
-    if (!body.own.empty()) outcome.notes.emplace_back("Masses that were typed in for segments are those of the table again.");
-    if (!body.parts.empty()) outcome.notes.emplace_back("What joints were said to carry is what their names tell again.");
-    if (!body.contacts.empty()) outcome.notes.emplace_back("Contacts that were corrected are those of the motion again.");
-    outcome.edit.body = body;
-    outcome.edit.body->own.clear();
-    outcome.edit.body->parts.clear();
-    outcome.edit.body->contacts.clear();
-  }
+  BodyChoice body = carry_body_over(call.clip.body, call.clip.skeleton, figure->skeleton, origins, outcome.notes);
+  if (!(body == call.clip.body)) outcome.edit.body = std::move(body);
   outcome.edit.name = call.operation.label;
   outcome.edit.figure = std::move(*figure);
   return outcome;

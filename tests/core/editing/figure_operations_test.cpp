@@ -4,10 +4,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/biomechanics/chosen_body.h"
+#include "core/biomechanics/own_segments.h"
 #include "core/document/document.h"
 #include "core/editing/figure_draft.h"
 #include "core/motion/sampling.h"
 #include "core/skeleton/skeleton_builder.h"
+#include "tests/core/biomechanics/body_fixtures.h"
 #include "tests/core/editing/operation_clips.h"
 
 namespace marey::test {
@@ -81,6 +84,27 @@ TEST(ChangeOrder, KeepsTheCountOfTurns) {
   EXPECT_NEAR(changed.motion.sample(3, 99), 990.0, 1e-9);
 }
 
+template <class Turn>
+void expect_same_loads(const Clip& before, const Clip& now, Turn turn) {
+  AnalysisRequest request;
+  request.quantities = {"torque:*", "force:*"};
+  request.support = SupportKind::Pivot;
+  request.model = find_chosen_body(before)->body.model;
+  const AnalysisTable expected = table_of(before, request);
+  request.model = find_chosen_body(now)->body.model;
+  const AnalysisTable found = table_of(now, request);
+  ASSERT_EQ(found.columns.size(), expected.columns.size());
+  for (std::size_t i = 0; i < found.columns.size(); i += 3) {
+    for (std::size_t frame = 2; frame + 2 < expected.columns[i].values.size(); ++frame) {
+      const auto at = [&](const AnalysisTable& table) {
+        return glm::dvec3(table.columns[i].values[frame], table.columns[i + 1].values[frame], table.columns[i + 2].values[frame]);
+      };
+      const glm::dvec3 wanted = turn(at(expected));
+      EXPECT_LT(glm::distance(at(found), wanted), 1e-7 * (1.0 + glm::length(wanted))) << found.columns[i].name << " frame " << frame;
+    }
+  }
+}
+
 TEST(UpAxis, TurnsEverythingByAQuarter) {
   Random random(62);
   Clip clip = make_wild_figure(random, 20);
@@ -106,6 +130,27 @@ TEST(RestPose, IsThePoseOfTheFrameAndMovesNothing) {
   for (ChannelIndex channel = 3; channel < clip.motion.channel_count(); ++channel) {
     EXPECT_NEAR(changed.motion.sample(channel, 7), 0.0, 1e-9);
   }
+}
+
+// Own segments go with the bones: what they weigh on the joints stays, in the world's axes.
+TEST(RestPose, TurnsOwnSegments) {
+  Random random(64);
+  Clip clip = make_chain(random, 30);
+  clip.body = choose_model({}, make_random_model(clip.skeleton, 5));
+  const Clip changed = after(clip, "rest-pose", {{"frame", 7.0}});
+  ASSERT_FALSE(changed.body == clip.body);
+  expect_same_loads(clip, changed, [](glm::dvec3 v) { return v; });
+}
+
+TEST(UpAxis, TurnsOwnSegments) {
+  Random random(65);
+  Clip clip = make_chain(random, 20);
+  clip.settings.up_axis = Axis::Y;
+  clip.body = choose_model({}, make_random_model(clip.skeleton, 6));
+  clip.body.gravity_mps2 = glm::dvec3(1.0, -9.0, 2.0);
+  const Clip turned = after(clip, "up-axis", {{"to", 2.0}});
+  expect_same_loads(clip, turned, [](glm::dvec3 v) { return glm::dvec3(v.x, -v.z, v.y); });
+  EXPECT_EQ(after(turned, "up-axis", {{"to", 1.0}}).body, clip.body);
 }
 
 TEST(RestPose, IsRefusedWhereAHingeWouldHaveToTurn) {

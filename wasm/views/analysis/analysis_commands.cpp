@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/biomechanics/body_model_json.h"
 #include "wasm/app/builtin_commands.h"
 #include "wasm/app/command_args.h"
 #include "wasm/app/icons.h"
@@ -31,9 +32,10 @@ const std::string& bring_up_to_date(Workspace& workspace) {
   return analysis.problem();
 }
 
-std::string picture_name(const Workspace& workspace, const char* ending) {
+// "walk-plots.csv" beside "walk.bvh".
+std::string companion_name(const Workspace& workspace, const char* ending) {
   const std::string name = download_name(workspace.session.document.file_name());
-  return fmt::format("{}-plots.{}", name.substr(0, name.size() - 4), ending);
+  return fmt::format("{}-{}", name.substr(0, name.size() - 4), ending);
 }
 
 json tell_download(Workspace& workspace, const std::string& name, std::size_t bytes) {
@@ -43,21 +45,21 @@ json tell_download(Workspace& workspace, const std::string& name, std::size_t by
 
 json save_csv(Workspace& workspace) {
   const std::string text = write_plots_csv(workspace.session, workspace.analysis, workspace.session.document.save_text());
-  const std::string name = picture_name(workspace, "csv");
+  const std::string name = companion_name(workspace, "plots.csv");
   workspace.backend.download(name, text);
   return tell_download(workspace, name, text.size());
 }
 
 json save_svg(Workspace& workspace) {
   const std::string text = write_plots_svg(workspace.session, workspace.analysis);
-  const std::string name = picture_name(workspace, "svg");
+  const std::string name = companion_name(workspace, "plots.svg");
   workspace.backend.download(name, text);
   return tell_download(workspace, name, text.size());
 }
 
 json save_png(Workspace& workspace) {
   const std::string text = write_plots_svg(workspace.session, workspace.analysis);
-  const std::string name = picture_name(workspace, "png");
+  const std::string name = companion_name(workspace, "plots.png");
   workspace.backend.download_picture(name, text, kPrintPixels);
   workspace.notify("Painting " + ui::displayable(name) + ".");
   return {{"name", ui::displayable(name)}};
@@ -78,6 +80,35 @@ void add_downloads(CommandRegistry& registry, Workspace& workspace) {
        .icon = icons::kFileDown}, save_svg);
   add({.id = "analysis.save_png", .label = "Plots as PNG", .help = "Downloads the plots as a picture for print, 300 dots an inch.",
        .icon = icons::kImage}, save_png);
+}
+
+json save_model(Workspace& workspace) {
+  Analysis& analysis = workspace.analysis;
+  analysis.follow_body(workspace.session, workspace.clip_serial);
+  if (analysis.body() == nullptr) return command_error(analysis.body_problem());
+  const Result<std::string> text = write_body_model(analysis.body()->body.model, workspace.session.document.skeleton());
+  if (!text) return command_error(text.error().message);
+  const std::string name = companion_name(workspace, "body.json");
+  workspace.backend.download(name, *text);
+  return tell_download(workspace, name, text->size());
+}
+
+void add_model_commands(CommandRegistry& registry, Workspace& workspace) {
+  registry.add({.id = "analysis.open_model",
+                .label = "Open a model…",
+                .help = "Reads masses, centres and inertias of the segments from a JSON file, which \"Save the model\" and marey analyse write.",
+                .icon = icons::kFolderOpen,
+                .run = [&workspace](const json&) -> json {
+                  workspace.backend.ask_for_file();
+                  return nullptr;
+                },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
+  registry.add({.id = "analysis.save_model",
+                .label = "Save the model",
+                .help = "Downloads masses, centres and inertias of the segments as JSON.",
+                .icon = icons::kFileDown,
+                .run = [&workspace](const json&) { return save_model(workspace); },
+                .blocked = [&workspace] { return needs_whole_clip(workspace); }});
 }
 
 json show_plots(Workspace& workspace) {
@@ -198,6 +229,7 @@ void add_analysis_commands(CommandRegistry& registry, Workspace& workspace) {
                 .run = [&workspace](const json& args) { return set_method(workspace, args); },
                 .in_palette = false});
   add_downloads(registry, workspace);
+  add_model_commands(registry, workspace);
   add_arrow_switches(registry, workspace);
   add_contact_commands(registry, workspace);
 }

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/biomechanics/own_segments.h"
 #include "core/editing/clip_operations.h"
 #include "core/signal/residual_analysis.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/analysis/segment_rows.h"
 #include "wasm/views/inspector/clip_page.h"
 #include "wasm/views/inspector/property_row.h"
 #include "wasm/views/number_edit.h"
@@ -22,7 +24,8 @@ Options table_options() {
                                                          {"body.table.male", "de Leva 1996, male"},
                                                          {"body.table.female", "de Leva 1996, female"},
                                                          {"body.table.winter", "Winter 2009"},
-                                                         {"body.table.rods", "Uniform rods"}};
+                                                         {"body.table.rods", "Uniform rods"},
+                                                         {"body.table.own", "Own values"}};
   return kOptions;
 }
 
@@ -43,18 +46,25 @@ Options derivation_options() {
   return kOptions;
 }
 
-void apply_body(ViewContext& context, const BodyChoice& body) {
-  const Status status = context.session.apply(make_body_edit(context.session.document.clip(), body));
-  if (!status) context.refusal = status.error().message;
+// Own values begin with those that the body has.
+BodyChoice without_table(const Clip& clip) {
+  const Result<ChosenBody> body = find_chosen_body(clip);
+  BodyChoice choice = body ? choose_model(clip.body, body->body.model) : clip.body;
+  choice.is_only_own = true;
+  return choice;
 }
 
 void draw_table(ViewContext& context) {
-  const BodyChoice& present = context.session.document.clip().body;
+  const Clip& clip = context.session.document.clip();
+  const int own = size_of(table_options()) - 1;
   const float width = inspector::begin_row(context, "Table");
-  int chosen = present.table ? static_cast<int>(*present.table) + 1 : 0;
-  if (ui::choice(context, "body.table", "Table", "Where the masses of the segments come from.", table_options(), chosen, width)) {
-    BodyChoice body = present;
-    body.table = chosen == 0 ? std::nullopt : std::optional(static_cast<BodyTable>(chosen - 1));
+  const int present = clip.body.is_only_own ? own : clip.body.table ? static_cast<int>(*clip.body.table) + 1 : 0;
+  int chosen = present;
+  if (ui::choice(context, "body.table", "Table", "Where the masses of the segments come from.", table_options(), chosen, width) && chosen != present) {
+    BodyChoice body = chosen == own ? without_table(clip) : clip.body;
+    if (present == own) body.segments.clear();
+    body.is_only_own = chosen == own;
+    body.table = chosen == 0 || chosen == own ? std::nullopt : std::optional(static_cast<BodyTable>(chosen - 1));
     apply_body(context, body);
   }
   inspector::end_row();
@@ -62,104 +72,28 @@ void draw_table(ViewContext& context) {
 
 void draw_mass(ViewContext& context, double mass_kg) {
   const float width = inspector::begin_row(context, "Mass");
-  const auto result = ui::number_field(context, "body.mass", "Mass of the body. Masses typed in below go back to the table", mass_kg,
+  const auto result = ui::number_field(context, "body.mass", "Mass of the body, shared out among the segments anew", mass_kg,
                                        {.unit = "kg", .decimals = 1, .step = 0.1, .low = 0.001, .high = 1e4, .width = width});
+  apply_number(context, result, [&](const Clip& clip) { return make_body_edit(clip, with_body_mass(clip, result.value)); });
+  inspector::end_row();
+}
+
+void draw_gravity(ViewContext& context) {
+  const Clip& present = context.session.document.clip();
+  const glm::dvec3 gravity = find_gravity(present.body.gravity_mps2, present.settings.up_axis);
+  const float width = inspector::begin_row(context, "Gravity");
+  const auto result = ui::number_field(context, "body.gravity", "Gravity: 9.81 on Earth, 1.62 on the Moon, 0 in free fall", glm::length(gravity),
+                                       {.unit = "m/s²", .decimals = 2, .step = 0.01, .low = 0.0, .high = 1000.0, .width = width});
   apply_number(context, result, [&](const Clip& clip) {
     BodyChoice body = clip.body;
-    body.mass_kg = result.value;
-    body.own.clear();
+    const glm::dvec3 usual = find_gravity({}, clip.settings.up_axis);
+    const glm::dvec3 before = find_gravity(body.gravity_mps2, clip.settings.up_axis);
+    const glm::dvec3& down = glm::length(before) > 0.0 ? before : usual;
+    body.gravity_mps2 = result.value * (down / glm::length(down));
+    if (*body.gravity_mps2 == usual) body.gravity_mps2.reset();
     return make_body_edit(clip, body);
   });
   inspector::end_row();
-}
-
-void draw_part(ViewContext& context, const GuessedPart& part, int index) {
-  const Skeleton& skeleton = context.session.document.skeleton();
-  ImGui::SetCursorPosX(inspector::kPadding);
-  const float room = ImGui::GetContentRegionAvail().x - inspector::kPadding;
-  constexpr float kNumberWidth = 84.0f;
-  const float y = ImGui::GetCursorPosY();
-  ImGui::AlignTextToFramePadding();
-  ui::elided_text(context, skeleton.name(part.joint), 0.5f * (room - kNumberWidth), context.theme.text);
-  ImGui::SetCursorPos({inspector::kPadding + 0.5f * (room - kNumberWidth) + 4.0f, y});
-  ImGui::AlignTextToFramePadding();
-  ui::elided_text(context, part.name, 0.5f * (room - kNumberWidth) - 8.0f, context.theme.dim_text);
-  ImGui::SetCursorPos({inspector::kPadding + room - kNumberWidth, y});
-  const auto result = ui::number_field(context, SmallText("body.part.{}", index).c_str(), part.name, part.mass_kg,
-                                       {.unit = "kg", .decimals = 2, .step = 0.01, .low = 0.0, .high = 1e4, .width = kNumberWidth});
-  apply_number(context, result, [&](const Clip& clip) {
-    BodyChoice body = clip.body;
-    const auto at = std::lower_bound(body.own.begin(), body.own.end(), part.joint,
-                                     [](const OwnMass& own, JointIndex joint) { return own.joint < joint; });
-    if (at != body.own.end() && at->joint == part.joint) at->mass_kg = result.value;
-    else body.own.insert(at, {part.joint, result.value});
-    return make_body_edit(clip, body);
-  });
-  inspector::end_row();
-}
-
-// A joint has one mass, whatever parts it carries.
-std::vector<GuessedPart> parts_by_joint(const std::vector<GuessedPart>& parts) {
-  std::vector<GuessedPart> joints;
-  for (const GuessedPart& part : parts) {
-    const auto same = std::find_if(joints.begin(), joints.end(), [&](const GuessedPart& p) { return p.joint == part.joint; });
-    if (same == joints.end()) {
-      joints.push_back(part);
-      continue;
-    }
-    same->mass_kg += part.mass_kg;
-    if (same->name != part.name) same->name += ", " + part.name;
-  }
-  return joints;
-}
-
-/// What a joint can be said to carry, in the order of the list behind "As its name tells".
-std::vector<OwnPart> sayable_parts(JointIndex joint) {
-  std::vector<OwnPart> parts = {{joint, std::nullopt}, {joint, BodyPart::Head}, {joint, BodyPart::Trunk}};
-  for (int part = static_cast<int>(BodyPart::UpperArm); part < kBodyPartCount; ++part) {
-    for (const BodySide side : {BodySide::Left, BodySide::Right, BodySide::Middle}) parts.push_back({joint, static_cast<BodyPart>(part), side});
-  }
-  return parts;
-}
-
-Options part_options() {
-  static const std::vector<ui::ChoiceOption> kOptions = [] {
-    std::vector<ui::ChoiceOption> options = {{"body.carries.auto", "As its name tells"}};
-    for (const OwnPart& part : sayable_parts(0)) {
-      const bool is_limb = part.part && *part.part != BodyPart::Trunk && *part.part != BodyPart::Head;
-      const char* side = !is_limb ? "" : part.side == BodySide::Left ? "left " : part.side == BodySide::Right ? "right " : "both: ";
-      std::string label = part.part ? fmt::format("{}{}", side, body_part_name(*part.part)) : "nothing of its own";
-      label.front() = static_cast<char>(label.front() - 'a' + 'A');
-      options.push_back({fmt::format("body.carries.{}", options.size()), std::move(label)});
-    }
-    return options;
-  }();
-  return kOptions;
-}
-
-void draw_carried(ViewContext& context) {
-  const JointIndex joint = find_plotted_joint(context.session);
-  const BodyChoice& present = context.session.document.clip().body;
-  const std::vector<OwnPart> sayable = sayable_parts(joint);
-  const auto said = std::find_if(present.parts.begin(), present.parts.end(), [&](const OwnPart& own) { return own.joint == joint; });
-  int chosen = said == present.parts.end() ? 0 : 1 + static_cast<int>(std::find(sayable.begin(), sayable.end(), *said) - sayable.begin());
-  const std::string name = ui::displayable(context.session.document.skeleton().name(joint));
-  inspector::heading(context, "What the selected joint carries");
-  const float width = inspector::begin_row(context, name.c_str());
-  if (ui::choice(context, "body.carries", "Carries", "Which part of the body begins at the selected joint.", part_options(), chosen, width)) {
-    BodyChoice body = present;
-    std::erase_if(body.parts, [&](const OwnPart& own) { return own.joint == joint; });
-    const auto behind = std::find_if(body.parts.begin(), body.parts.end(), [&](const OwnPart& own) { return own.joint > joint; });
-    if (chosen > 0) body.parts.insert(behind, sayable[idx(chosen - 1)]);
-    apply_body(context, body);
-  }
-  inspector::end_row();
-}
-
-void draw_segments(ViewContext& context, const ChosenBody& body) {
-  inspector::heading(context, "Segments");
-  int index = 0;
-  for (const GuessedPart& part : parts_by_joint(body.body.parts)) draw_part(context, part, index++);
 }
 
 void draw_notes(ViewContext& context, std::span<const std::string> notes) {
@@ -269,13 +203,14 @@ void draw_body_page(ViewContext& context) {
   const ChosenBody* body = context.analysis.body();
   if (body == nullptr) {
     draw_notes(context, std::span(&context.analysis.body_problem(), 1));
-    draw_carried(context);
-    return;
+  } else {
+    draw_mass(context, body->mass_kg);
+    draw_notes(context, body->body.notes);
   }
-  draw_mass(context, body->mass_kg);
-  draw_notes(context, body->body.notes);
-  draw_carried(context);
-  draw_segments(context, *body);
+  draw_gravity(context);
+  draw_carried_segment(context);
+  if (body != nullptr) draw_segment_list(context, *body);
+  draw_model_buttons(context);
   ImGui::Dummy({0.0f, 16.0f});
 }
 
