@@ -29,6 +29,11 @@ Session Session::open(BvhClip clip, std::string file_name) {
   return session;
 }
 
+void Session::put_beside(std::shared_ptr<const OtherClip> other) {
+  others.push_back(std::move(other));
+  if (size_of(others) > kMostOtherClips) others.erase(others.begin());
+}
+
 Status Session::apply(Edit edit) {
   if (is_partial) return refusal_of_partial();
   Status status = document.apply(std::move(edit));

@@ -12,11 +12,14 @@
 
 namespace marey {
 
-/// A clip beside the open one, for operations that take another.
+/// A clip beside the open one, for operations that take another and to compare with.
 struct OtherClip {
   std::string file_name;
   Clip clip;
 };
+
+/// More are not told apart in a plot.
+inline constexpr int kMostOtherClips = 4;
 
 /// An open clip with what the user has selected and where they look. Edits go through here rather than through
 /// `document`, so that playback follows the clip.
@@ -29,10 +32,15 @@ struct Session {
   /// The layer that keys are set on; kOwnKeys for the keys of the channels themselves. Always one that the clip has.
   int active_layer = kOwnKeys;
 
-  std::shared_ptr<const OtherClip> other;  ///< null: none was read
+  std::vector<std::shared_ptr<const OtherClip>> others;  ///< in the order in which they were read, at most kMostOtherClips
 
   /// More of the file is still to come: every edit is refused.
   bool is_partial = false;
+
+  /// The one that was read last, which operations take; null: none was read.
+  [[nodiscard]] std::shared_ptr<const OtherClip> other() const { return others.empty() ? nullptr : others.back(); }
+  /// The first one gives way to one too many.
+  void put_beside(std::shared_ptr<const OtherClip> other);
 
   /// Nothing selected, paused on the first frame.
   [[nodiscard]] static Session open(BvhClip clip, std::string file_name);

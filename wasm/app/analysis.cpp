@@ -9,6 +9,7 @@
 
 #include "core/biomechanics/analysis_update.h"
 #include "core/biomechanics/plausibility.h"
+#include "wasm/app/widgets.h"
 
 namespace marey::app {
 namespace {
@@ -41,6 +42,20 @@ std::vector<AskedQuantity> asked_by(std::span<const AnalysisPlot> plots) {
     if (is_new && plot.problem.empty()) asked.push_back(plot.asked);
   }
   return asked;
+}
+
+// The body of the open clip where the figures are the same, else that of its table and mass, else what the other figure tells.
+std::optional<BodyModel> model_beside(const Clip& open, const Clip& other) {
+  const bool is_same = open.skeleton == other.skeleton;
+  BodyChoice choice = open.body;
+  if (!is_same) choice = {.table = open.body.table, .mass_kg = open.body.mass_kg};
+  const double unit = is_same ? open.settings.metres_per_unit : other.settings.metres_per_unit;
+  Result<ChosenBody> body = find_chosen_body(other.skeleton, choice, unit);
+  if (!body && !is_same) body = find_chosen_body(other);
+  if (body) return std::move(body->body.model);
+  BodyModel without_masses;
+  without_masses.metres_per_unit = unit;
+  return without_masses;
 }
 
 std::vector<Derivation> neighbours_of(const Derivation& derivation) {
@@ -137,17 +152,17 @@ std::vector<AnalysisRequest> Analysis::variants_of(const Clip& clip, const Analy
     variants.push_back(request);
     variants.back().derivation = other;
   }
-  const auto add_body = [&](BodyTable table, double metres_per_unit) {
+  const auto add_body = [&](std::optional<BodyTable> table, double metres_per_unit) {
     BodyChoice choice = clip.body;
     choice.table = table;
-    choice.mass_kg = clip.body.mass_kg.value_or(usual_mass_kg(body_->table));
+    if (table) choice.mass_kg = clip.body.mass_kg.value_or(usual_mass_kg(*body_->table));
     Result<ChosenBody> body = find_chosen_body(clip.skeleton, choice, metres_per_unit);
     if (!body) return;
     variants.push_back(request);
     variants.back().model = std::move(body->body.model);
   };
   const double unit = clip.settings.metres_per_unit;
-  if (request.model && body_->table != BodyTable::Rods) {
+  if (request.model && body_->table && body_->table != BodyTable::Rods) {
     add_body(body_->table == BodyTable::DeLevaMale ? BodyTable::DeLevaFemale : BodyTable::DeLevaMale, unit);
   }
   for (const double factor : {1.0 - kUnitDoubt, 1.0 + kUnitDoubt}) {
@@ -177,33 +192,45 @@ void Analysis::add_bands(const Clip& clip, const AnalysisRequest& request) {
   }
 }
 
-// Plots of what the other figure does not have go without it. The lines follow only from what other_key_ has.
-void Analysis::add_other(const Motion& motion, AnalysisRequest request) {
-  const Clip& other = key_.other->clip;
+// Plots of what the other figure does not have go without it.
+std::vector<std::vector<PlotLine>> Analysis::find_other_lines(const OtherClip& other, AnalysisRequest request) {
+  std::vector<std::vector<PlotLine>> lines(plots_.size());
+  const Clip& clip = other.clip;
+  request.contacts = clip.body.contacts;
+  for (std::size_t i = 0; i < plots_.size(); ++i) {
+    const AnalysisPlot& plot = plots_[i];
+    const NodeIndex node = plot.node == kNoParent ? kNoParent : find_owner(clip.skeleton, *plot.choice.quantity, plot.owner);
+    if (!plot.problem.empty() || (plot.node != kNoParent && node == kNoParent)) continue;
+    const Result<AskedQuantity> asked = ask_for(clip.skeleton, *plot.choice.quantity, node, plot.asked.point_m, plot.choice.frame);
+    if (!asked) continue;
+    request.asked = {*asked};
+    if (const Result<AnalysisTable> table = analyse(clip, request)) lines[i] = lines_of(*table, *asked);
+    else notes_.push_back(fmt::format("{}: {}", ui::displayable(other.file_name), table.error().message));
+  }
+  return lines;
+}
+
+// The lines follow only from what others_key_ and others_body_ have.
+void Analysis::add_others(const Clip& clip, AnalysisRequest request) {
+  const auto count = static_cast<std::size_t>(std::find(key_.others.begin(), key_.others.end(), nullptr) - key_.others.begin());
   Key key = key_;
   key.revision = 0;
   key.arrows = {};
-  if (!(key == other_key_) || other_lines_.size() != plots_.size()) {
-    other_key_ = key;
-    other_lines_.assign(plots_.size(), {});
-    request.model.reset();
-    request.contacts = other.body.contacts;
-    if (Result<ChosenBody> body = find_chosen_body(other)) request.model = std::move(body->body.model);
-    for (std::size_t i = 0; i < plots_.size(); ++i) {
-      const Quantity& quantity = *plots_[i].choice.quantity;
-      const NodeIndex node = plots_[i].node == kNoParent ? kNoParent : find_owner(other.skeleton, quantity, plots_[i].owner);
-      if (!plots_[i].problem.empty() || (plots_[i].node != kNoParent && node == kNoParent)) continue;
-      const Result<AskedQuantity> asked = ask_for(other.skeleton, quantity, node, plots_[i].asked.point_m, plots_[i].choice.frame);
-      if (!asked) continue;
-      request.asked = {*asked};
-      if (const Result<AnalysisTable> table = analyse(other, request)) other_lines_[i] = lines_of(*table, *asked);
-      else notes_.push_back("The other clip: " + table.error().message);
+  if (!(key == others_key_) || !(clip.body == others_body_) || other_lines_.size() != count) {
+    others_key_ = key;
+    others_body_ = clip.body;
+    other_lines_.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      request.model = model_beside(clip, key_.others[i]->clip);
+      other_lines_.push_back(find_other_lines(*key_.others[i], request));
     }
   }
-  const double frames_per_frame = motion.frame_time_s() / other.motion.frame_time_s();
   for (std::size_t i = 0; i < plots_.size(); ++i) {
-    plots_[i].other = other_lines_[i];
-    for (PlotLine& line : plots_[i].other) line.values = at_other_times(line.values, frames_per_frame, motion.frame_count());
+    for (std::size_t other = 0; other < count; ++other) {
+      const double frames_per_frame = clip.motion.frame_time_s() / key_.others[other]->clip.motion.frame_time_s();
+      plots_[i].others.push_back(other_lines_[other][i]);
+      for (PlotLine& line : plots_[i].others.back()) line.values = at_other_times(line.values, frames_per_frame, clip.motion.frame_count());
+    }
   }
 }
 
@@ -274,7 +301,7 @@ void Analysis::compute(const Session& session) {
   take_lines();
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);
-  if (key_.other != nullptr) add_other(clip.motion, std::move(request));
+  if (key_.others.front() != nullptr) add_others(clip, std::move(request));
 }
 
 void Analysis::take_contacts(const Clip& clip) {
@@ -321,10 +348,10 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
     return false;
   }
   const bool smooths = derivation.kind != DerivationKind::Central;
-  const Key key{.clip_serial = clip_serial,
+  Key key{.clip_serial = clip_serial,
                 .revision = session.document.revision(),
                 .choices = choices_serial_,
-                .other = shows_plots ? session.other.get() : nullptr,
+                .others = {},
                 .joint = shows_plots ? find_plotted_joint(session) : kNoParent,
                 .support = support,
                 .derivation = derivation,
@@ -332,6 +359,7 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
                 .shows_raw = shows_plots && shows_raw && smooths,
                 .shows_bands = shows_plots && shows_bands,
                 .arrows = arrows};
+  for (int i = 0; shows_plots && i < std::min(size_of(session.others), kMostOtherClips); ++i) key.others[idx(i)] = session.others[idx(i)].get();
   if (known_ && !waits_ && key == key_) return false;
   const bool is_long = static_cast<double>(motion.samples().size()) > kManySamples;
   const bool is_as_before = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices &&

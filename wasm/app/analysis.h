@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -76,7 +77,7 @@ class Analysis {
     std::uint64_t clip_serial = 0;
     std::uint64_t revision = 0;
     std::uint64_t choices = 0;
-    const OtherClip* other = nullptr;
+    std::array<const OtherClip*, kMostOtherClips> others{};
     JointIndex joint = kNoParent;
     SupportKind support = SupportKind::Auto;
     Derivation derivation;
@@ -95,7 +96,8 @@ class Analysis {
   void add_raw(const Clip& clip, AnalysisRequest request);
   void add_bands(const Clip& clip, const AnalysisRequest& request);
   [[nodiscard]] std::vector<AnalysisRequest> variants_of(const Clip& clip, const AnalysisRequest& request) const;
-  void add_other(const Motion& motion, AnalysisRequest request);
+  void add_others(const Clip& clip, AnalysisRequest request);
+  [[nodiscard]] std::vector<std::vector<PlotLine>> find_other_lines(const OtherClip& other, AnalysisRequest request);
   void clear();
   void add_arrows(AnalysisRequest& request) const;
 
@@ -108,8 +110,9 @@ class Analysis {
   AnalysisRequest request_;         // what the table is the answer to
   int frame_count_ = 0;  // of the numbers
   std::vector<AnalysisPlot> plots_;
-  Key other_key_;  // what the lines of the other clip follow from, without the open clip's samples
-  std::vector<std::vector<PlotLine>> other_lines_;  // of each plot, at the times of its own frames
+  Key others_key_;  // what the lines of other clips follow from, without the open clip's samples
+  BodyChoice others_body_;
+  std::vector<std::vector<std::vector<PlotLine>>> other_lines_;  // of each other clip and plot, at the times of its own frames
   AnalysisTable table_;
   std::vector<ContactRow> contacts_;
   std::vector<MotionEvent> events_;

@@ -47,7 +47,7 @@ struct AnalysisPlot {
   std::vector<PlotLine> lines;
   std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
   std::vector<PlotBand> bands;  ///< around the lines, where that was asked for
-  std::vector<PlotLine> other;  ///< of the other clip, at the times of the open one's frames
+  std::vector<std::vector<PlotLine>> others;  ///< of the clips beside the open one, in their order, at the times of its frames
 
   /// "Joint torque [N·m]".
   [[nodiscard]] std::string title() const;

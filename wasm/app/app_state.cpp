@@ -104,7 +104,9 @@ void add_layers(json& state, const Session& session) {
                       {"keys", count_keys(layer.curves)}});
   }
   state["layers"] = std::move(layers);
-  state["otherFile"] = session.other ? json(ui::displayable(session.other->file_name)) : json();
+  state["otherFile"] = session.others.empty() ? json() : json(ui::displayable(session.others.back()->file_name));
+  state["otherFiles"] = json::array();
+  for (const auto& other : session.others) state["otherFiles"].push_back(ui::displayable(other->file_name));
   state["activeLayer"] = session.active_layer + 1;
   state["keyedChannels"] = stack.keyed.size();
   state["ownKeys"] = count_keys(stack.keyed);
@@ -128,6 +130,12 @@ json band_values(const std::vector<PlotBand>& bands, FrameIndex frame) {
   return values;
 }
 
+json other_values(const AnalysisPlot& plot, FrameIndex frame) {
+  json values = json::array();
+  for (const auto& lines : plot.others) values.push_back(line_values(lines, frame));
+  return values;
+}
+
 json analysis_state(const Workspace& workspace) {
   const Analysis& analysis = workspace.analysis;
   json plots = json::array();
@@ -137,6 +145,7 @@ json analysis_state(const Workspace& workspace) {
                      {"frame", plot.choice.frame},
                      {"unit", plot.unit},
                      {"values", line_values(plot.lines, workspace.session.playback.frame())},
+                     {"others", other_values(plot, workspace.session.playback.frame())},
                      {"bands", band_values(plot.bands, workspace.session.playback.frame())}});
   }
   json contacts = json::array();

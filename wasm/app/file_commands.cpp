@@ -40,7 +40,7 @@ Command make_stop_command(Workspace& workspace) {
 void add_opening_commands(CommandRegistry& registry, Workspace& workspace) {
   registry.add({.id = "file.open",
                 .label = "Open…",
-                .help = "Opens a BVH file or a CSV table from this computer. Dropping it anywhere on the page does the same.",
+                .help = "Opens a BVH file, a CSV table, or a model of the body in JSON from this computer. Dropping it anywhere on the page does the same.",
                 .shortcut = "Ctrl+O",
                 .icon = icons::kFolderOpen,
                 .run = [&workspace](const json&) -> json {
@@ -49,7 +49,7 @@ void add_opening_commands(CommandRegistry& registry, Workspace& workspace) {
                 }});
   registry.add({.id = "file.open_other",
                 .label = "Choose another clip…",
-                .help = "Reads a clip that operations can join to the open one.",
+                .help = "Reads a clip that plots show beside the open one, and that operations can join to it.",
                 .icon = icons::kFolderOpen,
                 .run = [&workspace](const json&) -> json {
                   workspace.backend.ask_for_file(FileUse::OtherClip);

@@ -23,11 +23,10 @@ json run_operation(Workspace& workspace, const json& args) {
   Result<BoundStep> bound = bind_step(*step, clip);
   if (!bound) return command_error(bound.error().message);
   if (!bound->other_file.empty()) {
-    const OtherClip* other = workspace.session.other.get();
-    if (other == nullptr || other->file_name != bound->other_file) {
-      return command_error("Read " + bound->other_file + " first, by openOther().");
+    for (const auto& other : workspace.session.others) {
+      if (other->file_name == bound->other_file) bound->values.other = &other->clip;
     }
-    bound->values.other = &other->clip;
+    if (bound->values.other == nullptr) return command_error("Read " + bound->other_file + " first, by openOther().");
   }
   Result<OperationOutcome> outcome = make_operation_edit(clip, *bound->operation, bound->target, bound->values);
   if (!outcome) return command_error(outcome.error().message);

@@ -69,8 +69,10 @@ export interface State {
   /** Channels that are keys rather than samples, and their keys. */
   keyedChannels: number;
   ownKeys: number;
-  /** The clip that openOther() put beside the open one. */
+  /** The clip that was put beside the open one last, by openOther() or by a person. */
   otherFile: string | null;
+  /** All of them, at most four. */
+  otherFiles: string[];
   theme: "dark" | "light";
   themeChoice: "system" | "dark" | "light";
   interfaceScale: number;
@@ -126,7 +128,7 @@ export interface Item {
 export interface PageApi {
   /** Resolves when the page has started and has opened what its address asks for. */
   readonly ready: Promise<void>;
-  /** Reads a BVH file piece by piece and opens it. Rejects with a MareyError { code, message, line, column }; the open document then stays. */
+  /** Reads a BVH file piece by piece and opens it; a name that ends in .csv is a table, one in .json a model of the body for the open clip. Rejects with a MareyError { code, message, line, column }; the open document then stays. */
   open(name: string, data: string | Uint8Array | ArrayBuffer | Blob): Promise<State>;
   /** The same for a clip that stands beside the open one, for operations that take another: { do: "append from=NAME" }. */
   openOther(name: string, data: string | Uint8Array | ArrayBuffer | Blob): Promise<State>;

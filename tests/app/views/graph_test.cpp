@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "tests/app/support/imgui_stage.h"
 #include "wasm/app/time_window.h"
 #include "wasm/views/graph/curve_band.h"
 #include "wasm/views/graph/curve_shape.h"
+#include "wasm/views/graph/dashes.h"
 #include "wasm/views/graph/ticks.h"
 #include "wasm/views/graph/value_axis.h"
 
@@ -160,6 +162,26 @@ TEST(CurveShape, DrawsOnlyWhatIsInSight) {
   EXPECT_EQ(shape.strips()[0].count, 11);
   shape.build({}, window_over(0.0, 10.0), axis_over(0.0, 2.0));
   EXPECT_TRUE(shape.strips().empty());
+}
+
+// Of a zigzag line 120 long, whose corners are closer than the dashes: strokes of 6 with gaps of 3.
+TEST(Dashes, GoOnAroundCorners) {
+  const ImGuiStage stage;
+  ImDrawList list(ImGui::GetDrawListSharedData());
+  list._ResetForNewFrame();
+  list.Flags = ImDrawListFlags_None;
+  std::vector<ImVec2> points;
+  for (int i = 0; i <= 30; ++i) points.push_back({2.4f * static_cast<float>(i), i % 2 == 0 ? 0.0f : 3.2f});
+  const float dashes[] = {6.0f, 3.0f};
+  stroke_dashed(list, points, IM_COL32_WHITE, 1.0f, dashes);
+  // Without smoothing each stretch of a line is a quad, whose first two corners are as far apart as it is long.
+  float drawn = 0.0f;
+  for (int i = 0; i + 3 < list.VtxBuffer.Size; i += 4) {
+    const ImVec2 a = list.VtxBuffer[i].pos;
+    const ImVec2 b = list.VtxBuffer[i + 1].pos;
+    drawn += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  EXPECT_NEAR(drawn, 81.0f, 0.1f) << "13 strokes of 6 and one of 3";
 }
 
 TEST(CurveBand, KeepsEveryPeakAtTheCostOfPixels) {

@@ -26,7 +26,7 @@ std::string write_plots_csv(const Session& session, const Analysis& analysis, st
                                  ui::displayable(document.file_name()), sha256_hex(file_bytes), range.first + 1, range.end(),
                                  document.motion().frame_time_s(), describe(analysis.derivation),
                                  support_name(analysis.support), document.settings().metres_per_unit);
-  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("# body: {}, {} kg\n", body_table_name(body->table), body->mass_kg);
+  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("# body: {}, {} kg\n", describe_source(*body), body->mass_kg);
   const std::vector<OwnContact>& contacts = document.clip().body.contacts;
   if (!contacts.empty() && !analysis.contacts().empty()) text += fmt::format("# contacts: {} set by hand\n", contacts.size());
   for (const std::string& note : analysis.notes()) text += fmt::format("# {}\n", note);

@@ -14,7 +14,8 @@ constexpr float kInset = 6.0f;
 constexpr float kLineWidth = 1.75f;
 constexpr float kProjectorWidth = 2.75f;
 constexpr float kThinWidth = 1.0f;
-constexpr float kOtherAlpha = 0.6f;
+constexpr float kOtherAlpha = 0.8f;
+constexpr float kOtherWidth = 1.25f;
 constexpr float kBandAlpha = 0.22f;
 constexpr double kDenseSamplesPerColumn = 2.0;
 constexpr double kWheelZoom = 1.15;
@@ -28,6 +29,15 @@ double value_at(const PlotLine& line, FrameIndex frame) {
 }
 
 }  // namespace
+
+Dashes dashes_of(std::size_t other) {
+  static constexpr float kDashed[] = {6.0f, 3.0f};
+  static constexpr float kDotted[] = {1.5f, 3.0f};
+  static constexpr float kDashDotted[] = {8.0f, 3.0f, 1.5f, 3.0f};
+  static constexpr float kLongDashed[] = {14.0f, 4.0f};
+  const Dashes patterns[kMostOtherClips] = {kDashed, kDotted, kDashDotted, kLongDashed};
+  return patterns[other % kMostOtherClips];
+}
 
 ImU32 component_color(const Theme& theme, char component) {
   return component >= 'x' && component <= 'z' ? theme.axis[component - 'x'] : theme.accent;
@@ -55,13 +65,16 @@ void PlotRow::follow(const AnalysisPlot& plot, std::uint64_t serial) {
   serial_ = serial;
   range_ = {};
   pyramids_.clear();
-  for (const auto* lines : {&plot.lines, &plot.raw, &plot.other}) {
-    for (const PlotLine& line : *lines) {
-      if (lines != &plot.raw) range_.add(line.values);
+  const auto add = [&](const std::vector<PlotLine>& lines, bool widens) {
+    for (const PlotLine& line : lines) {
+      if (widens) range_.add(line.values);
       pyramids_.emplace_back();
       pyramids_.back().update(line.values, {0, size_of(line.values)});
     }
-  }
+  };
+  add(plot.lines, true);
+  add(plot.raw, false);
+  for (const std::vector<PlotLine>& other : plot.others) add(other, true);
 }
 
 void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const {
@@ -87,10 +100,10 @@ void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const 
   list.PopClipRect();
 }
 
-void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width) {
+void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width, Dashes dashes) {
   if (!dense_) {
     shape_.build(line.values, context.time_window, axis_);
-    shape_.draw(*ImGui::GetWindowDrawList(), color, width);
+    shape_.draw(*ImGui::GetWindowDrawList(), color, width, dashes);
     return;
   }
   extents_.resize(idx(columns_.count));
@@ -134,8 +147,10 @@ void PlotRow::draw_lines(ViewContext& context, const AnalysisPlot& plot) {
     if (dense_) batch_.begin();
     std::size_t number = plot.lines.size();
     for (const PlotLine& line : plot.raw) add_line(context, line, number++, theme.ghost, kThinWidth);
-    for (const PlotLine& line : plot.other) {
-      add_line(context, line, number++, with_alpha(component_color(theme, line.component), kOtherAlpha), kThinWidth);
+    for (std::size_t other = 0; other < plot.others.size(); ++other) {
+      for (const PlotLine& line : plot.others[other]) {
+        add_line(context, line, number++, with_alpha(component_color(theme, line.component), kOtherAlpha), kOtherWidth, dashes_of(other));
+      }
     }
     number = 0;
     for (const PlotLine& line : plot.lines) add_line(context, line, number++, component_color(theme, line.component), width);
@@ -189,6 +204,7 @@ void PlotRow::draw_cursor(ViewContext& context, const AnalysisPlot& plot) const 
 void PlotRow::handle_input(ViewContext& context, const AnalysisPlot& plot, int index) const {
   ImGui::SetCursorScreenPos(area_.min);
   const SmallText id("plots.canvas.{}", index);
+  ImGui::SetNextItemAllowOverlap();
   ImGui::InvisibleButton(id.c_str(), {area_.max.x - area_.min.x, area_.max.y - area_.min.y},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
   context.items.add_last(id, plot.choice.quantity->label);

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/motion/curve_pyramid.h"
@@ -34,7 +35,7 @@ class PlotRow {
   void draw_ground(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_bands(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_lines(ViewContext& context, const AnalysisPlot& plot);
-  void add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width);
+  void add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width, Dashes dashes = {});
   void draw_ends(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_cursor(ViewContext& context, const AnalysisPlot& plot) const;
   void handle_input(ViewContext& context, const AnalysisPlot& plot, int index) const;
@@ -43,7 +44,7 @@ class PlotRow {
   ValueAxis axis_;
   ValueRange range_;
   std::uint64_t serial_ = 0;
-  std::vector<CurvePyramid> pyramids_;  // of lines, raw and other lines, in this order
+  std::vector<CurvePyramid> pyramids_;  // of lines, raw lines and those of other clips, in this order
   std::vector<ValueExtent> extents_;
   CurveColumns columns_;
   bool dense_ = false;
@@ -55,6 +56,9 @@ class PlotRow {
 
 /// Of a component; the accent where there is none.
 [[nodiscard]] ImU32 component_color(const Theme& theme, char component);
+
+/// How the lines of a clip beside the open one are dashed, so that at most kMostOtherClips are told apart.
+[[nodiscard]] Dashes dashes_of(std::size_t other);
 
 /// Of what is hovered: the wheel zooms in time, with Shift and sideways it pans.
 void zoom_by_wheel(ViewContext& context);

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "wasm/app/widgets.h"
+#include "wasm/views/analysis/plot_row.h"
 #include "wasm/views/graph/ticks.h"
 #include "wasm/views/graph/value_axis.h"
 
@@ -21,6 +22,7 @@ constexpr double kRight = 24.0;
 constexpr double kTop = 26.0;
 constexpr double kBottom = 26.0;
 constexpr double kFooter = 26.0;
+constexpr double kLegendLine = 14.0;
 constexpr double kPrintWidth_mm = 180.0;
 constexpr int kMostColumns = 1400;
 
@@ -37,6 +39,12 @@ std::string escaped(std::string_view text) {
     else out += c;
   }
   return out;
+}
+
+std::string dash_style(std::size_t other) {
+  std::string lengths;
+  for (const float length : dashes_of(other)) lengths += fmt::format("{}{:g}", lengths.empty() ? "" : " ", 0.6f * length);
+  return fmt::format(" stroke-width=\"0.9\" stroke-dasharray=\"{}\"", lengths);
 }
 
 /// The place of one plot and what its axes show.
@@ -126,8 +134,9 @@ void PictureWriter::add_plot(const Panel& panel, const AnalysisPlot& plot) {
   add_axes(panel);
   append("<g clip-path=\"url(#plot{:.0f})\">\n", panel.top);
   for (const PlotLine& line : plot.raw) add_line(panel, line, " stroke=\"#9ba4b0\" stroke-width=\"0.8\"");
-  for (const PlotLine& line : plot.other) {
-    add_line(panel, line, fmt::format(" stroke=\"{}\" stroke-width=\"0.9\" stroke-dasharray=\"4 2\"", color_of(line.component)));
+  for (std::size_t other = 0; other < plot.others.size(); ++other) {
+    const std::string style = dash_style(other);
+    for (const PlotLine& line : plot.others[other]) add_line(panel, line, fmt::format(" stroke=\"{}\"{}", color_of(line.component), style));
   }
   for (const PlotLine& line : plot.lines) add_line(panel, line, fmt::format(" stroke=\"{}\" stroke-width=\"1.4\"", color_of(line.component)));
   text += "</g>\n";
@@ -151,6 +160,23 @@ ValueAxis fitted_axis(const AnalysisPlot& plot, FrameRange frames) {
   return axis;
 }
 
+double legend_height(const Session& session) {
+  return session.others.empty() ? 0.0 : kLegendLine * static_cast<double>(session.others.size() + 1);
+}
+
+// Which clip has which kind of line, one below the other; how high it is.
+double add_legend(PictureWriter& out, const Session& session, double top) {
+  const auto add = [&](const std::string& style, const std::string& file_name) {
+    out.append("<path fill=\"none\" stroke=\"#1b1f24\"{} d=\"M{:.1f} {:.1f}h36\"/>\n", style, kLeft, top + 8.0);
+    out.add_words(kLeft + 44.0, top + 11.5, "start", "", ui::displayable(file_name));
+    top += kLegendLine;
+  };
+  if (session.others.empty()) return 0.0;
+  add(" stroke-width=\"1.4\"", session.document.file_name());
+  for (std::size_t other = 0; other < session.others.size(); ++other) add(dash_style(other), session.others[other]->file_name);
+  return legend_height(session);
+}
+
 }  // namespace
 
 const ChosenBody* body_behind(const Analysis& analysis) {
@@ -164,13 +190,13 @@ std::string describe_origin(const Session& session, const Analysis& analysis) {
   std::string text = fmt::format("Frames {} to {} of {}, {:g} s each; derivatives {}", range.first + 1, range.end(),
                                  ui::displayable(session.document.file_name()), session.document.motion().frame_time_s(),
                                  describe(analysis.derivation));
-  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("; {:g} kg by {}", body->mass_kg, body_table_name(body->table));
+  if (const ChosenBody* body = body_behind(analysis)) text += fmt::format("; {:g} kg by {}", body->mass_kg, describe_source(*body));
   return text + fmt::format("; a unit is {:g} m", session.document.settings().metres_per_unit);
 }
 
 std::string write_plots_svg(const Session& session, const Analysis& analysis) {
   PictureWriter out;
-  const double height = kRowHeight * static_cast<double>(analysis.plots().size()) + kFooter;
+  const double height = kRowHeight * static_cast<double>(analysis.plots().size()) + legend_height(session) + kFooter;
   out.append("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}mm\" height=\"{:.1f}mm\" viewBox=\"0 0 {} {}\" "
              "font-family=\"Inter, Helvetica, Arial, sans-serif\" font-size=\"10\" fill=\"#1b1f24\">\n",
              kPrintWidth_mm, kPrintWidth_mm * height / kWidth, kWidth, height);
@@ -183,6 +209,7 @@ std::string write_plots_svg(const Session& session, const Analysis& analysis) {
     out.add_plot({top, session.playback.range(), session.document.motion().frame_time_s(), axis.low, axis.high}, plot);
     top += kRowHeight;
   }
+  top += add_legend(out, session, top);
   out.add_words(kLeft, top + 14.0, "start", " font-size=\"8\" fill=\"#5b6571\"", describe_origin(session, analysis));
   return out.text + "</svg>\n";
 }

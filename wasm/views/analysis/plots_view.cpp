@@ -5,6 +5,8 @@
 
 #include "wasm/app/icons.h"
 #include "wasm/app/widgets.h"
+#include "wasm/views/analysis/clip_legend.h"
+#include "wasm/views/analysis/plot_buttons.h"
 #include "wasm/views/graph/small_plot.h"
 #include "wasm/views/time_gutter.h"
 
@@ -16,7 +18,7 @@ constexpr float kContactsShare = 0.4f;  // of the panel, at most
 constexpr float kLabelInset = 12.0f;
 constexpr float kLeastPlotWidth = 200.0f;
 constexpr const char* kAddList = "plots.add.list";
-constexpr const char* kFrameList = "plots.frames";
+constexpr float kTouchHeight = 32.0f;
 
 std::span<const ui::ChoiceOption> mode_options() {
   static const std::vector<ui::ChoiceOption> kOptions = {{"plots.mode.time", "Over time"},
@@ -47,10 +49,10 @@ SmallText describe_smoothing(const Derivation& derivation) {
 }
 
 // A component belongs to that of the same direction; one without direction to the one that changes most.
-const PlotLine& partner_of(const PlotLine& line, const AnalysisPlot& first) {
-  const PlotLine* widest = &first.lines.front();
+const PlotLine& partner_of(const PlotLine& line, const std::vector<PlotLine>& first) {
+  const PlotLine* widest = &first.front();
   double most = -1.0;
-  for (const PlotLine& along : first.lines) {
+  for (const PlotLine& along : first) {
     if (along.component == line.component) return along;
     ValueRange range;
     range.add(along.values);
@@ -58,6 +60,22 @@ const PlotLine& partner_of(const PlotLine& line, const AnalysisPlot& first) {
     if (!range.empty) most = std::max(most, range.high - range.low);
   }
   return *widest;
+}
+
+// Of the clips beside the open one first, so that they lie behind.
+std::vector<PlotCurve> curves_against(const ViewContext& context, const AnalysisPlot& plot, const AnalysisPlot& first) {
+  std::vector<PlotCurve> curves;
+  for (std::size_t other = 0; other < std::min(plot.others.size(), first.others.size()); ++other) {
+    if (first.others[other].empty()) continue;
+    for (const PlotLine& line : plot.others[other]) {
+      const PlotLine& along = partner_of(line, first.others[other]);
+      curves.push_back({along.values, line.values, with_alpha(component_color(context.theme, line.component), 0.8f), 1.25f, dashes_of(other)});
+    }
+  }
+  for (const PlotLine& line : plot.lines) {
+    curves.push_back({partner_of(line, first.lines).values, line.values, component_color(context.theme, line.component), 1.5f});
+  }
+  return curves;
 }
 
 const char* why_nothing(const ViewContext& context) {
@@ -115,68 +133,6 @@ void PlotsView::draw_toolbar(ViewContext& context, ImVec2 min, float width) {
   ImGui::EndChild();
 }
 
-// The frames of reference that a plot can be seen from; whether one was chosen.
-bool draw_frame_list(ViewContext& context, const AnalysisPlot& plot, std::string& frame) {
-  if (!ImGui::BeginPopup(kFrameList)) return false;
-  ui::popup_shadow(context);
-  const std::string before = frame;
-  const auto add = [&](const std::string& value, const char* label) {
-    if (ImGui::Selectable(label, frame == value)) frame = value;
-    context.items.add_last(SmallText("plots.frame.{}", value), label);
-  };
-  add("", "As usual");
-  add("world", "World");
-  add("root", "Root");
-  if (plot.node != kNoParent) add("parent", "Parent");
-  ImGui::Separator();
-  const Skeleton& skeleton = context.session.document.skeleton();
-  for (JointIndex joint = 0; joint < skeleton.joint_count(); ++joint) {
-    ImGui::PushID(joint);
-    add(skeleton.name(joint), ui::displayable(skeleton.name(joint)).c_str());
-    ImGui::PopID();
-  }
-  ImGui::EndPopup();
-  return frame != before;
-}
-
-void PlotsView::draw_buttons(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at) {
-  const bool of_joint = is_of_joint(*plot.choice.quantity);
-  const bool pinned = !plot.choice.owner.empty();
-  const float button = ImGui::GetFrameHeight();
-  std::vector<PlotChoice> choices;
-  if (of_joint && plot.node != kNoParent) {
-    ImGui::SetCursorScreenPos({at.x - 2.0f * button, at.y});
-    const char* tip = pinned ? "Follow the selection. The plot is of the selected joint again."
-                             : "Keep this joint. The plot stays with it when another one is selected.";
-    if (ui::icon_button(context, SmallText("plots.pin.{}", index).c_str(), icons::kPin, tip, pinned)) {
-      choices = context.analysis.choices();
-      choices[idx(index)].owner = pinned ? std::string() : plot.owner;
-    }
-  }
-  if (plot.choice.quantity->sight != QuantitySight::None) {
-    ImGui::SetCursorScreenPos({at.x - 3.0f * button, at.y});
-    if (ui::icon_button(context, SmallText("plots.frame.of.{}", index).c_str(), icons::kAxis3d,
-                        "Frame of reference. Where the plot is seen from: the world, the root, any joint.", !plot.choice.frame.empty())) {
-      ImGui::OpenPopup(kFrameList);
-    }
-    std::string frame = plot.choice.frame;
-    if (draw_frame_list(context, plot, frame)) {
-      choices = context.analysis.choices();
-      choices[idx(index)].frame = std::move(frame);
-    }
-  }
-  ImGui::SetCursorScreenPos({at.x - button, at.y});
-  bool removed = false;
-  if (ui::icon_button(context, SmallText("plots.remove.{}", index).c_str(), icons::kX, "Remove plot. It can be added again.")) {
-    choices = context.analysis.choices();
-    choices.erase(choices.begin() + index);
-    removed = true;
-  }
-  if (choices.empty() && !removed) return;
-  context.analysis.set_choices(std::move(choices));
-  context.redraw = true;
-}
-
 void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) {
   const float width = max.x - min.x - kLabelInset;
   const float button = ImGui::GetFrameHeight();
@@ -191,7 +147,7 @@ void PlotsView::draw_label(ViewContext& context, const AnalysisPlot& plot, int i
   draw_text(context, context.fonts.text, {at.x, line}, owner_width, plot.problem.empty() ? theme.dim_text : theme.warning, owner);
   const float shown_width = std::min(ImGui::CalcTextSize(owner.c_str()).x, owner_width);
   ImGui::GetWindowDrawList()->AddText({at.x + shown_width, line}, theme.dim_text, unit.c_str());
-  draw_buttons(context, plot, index, {max.x, std::round(line + 9.0f - 0.5f * button)});
+  draw_plot_buttons(context, plot, index, {max.x, std::round(line + 9.0f - 0.5f * button)});
   draw_values(context, plot, index, {at.x, line + 20.0f}, max);
 }
 
@@ -207,6 +163,11 @@ void PlotsView::draw_narrow_label(ViewContext& context, const AnalysisPlot& plot
   ImGui::SetCursorScreenPos({at.x, at.y + 1.0f});
   ui::elided_text(context, title, max.x - at.x, context.theme.text);
   ImGui::PopFont();
+  const SmallText id("plots.menu.{}", index);
+  ImGui::SetCursorScreenPos({at.x - 3.0f, min.y});
+  if (ImGui::InvisibleButton(id.c_str(), {width + 6.0f, kTouchHeight})) open_plot_menu();
+  context.items.add_last(id, title);
+  draw_plot_menu(context, plot, index);
   const float bottom = max.y - 22.0f;
   list.AddRectFilled({at.x - 3.0f, bottom}, {max.x, bottom + 14.0f}, veil, 3.0f);
   draw_values(context, plot, index, {at.x, bottom + 1.0f}, {max.x, max.y});
@@ -264,16 +225,18 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
   }
   ValueRange range;
   for (const PlotLine& line : plots[0].lines) range.add(line.values);
+  for (const std::vector<PlotLine>& other : plots[0].others) {
+    for (const PlotLine& line : other) range.add(line.values);
+  }
   const double margin = 0.04 * std::max(range.high - range.low, 1e-9);
   const FrameIndex frame = context.session.playback.frame();
   const SmallText x_unit("{} {}", plots[0].choice.quantity->label, plots[0].unit);
   for (int i = 1; i < size_of(plots); ++i) {
-    std::vector<PlotCurve> curves;
+    const std::vector<PlotCurve> curves = curves_against(context, plots[idx(i)], plots[0]);
     std::vector<PlotDot> dots;
     for (const PlotLine& line : plots[idx(i)].lines) {
-      const PlotLine& along = partner_of(line, plots[0]);
+      const PlotLine& along = partner_of(line, plots[0].lines);
       const ImU32 color = component_color(context.theme, line.component);
-      curves.push_back({along.values, line.values, color, 1.5f});
       if (idx(frame) < std::min(along.values.size(), line.values.size())) dots.push_back({along.values[idx(frame)], line.values[idx(frame)], color});
     }
     const ImVec4 place = plot_place(i - 1, size_of(plots) - 1, {min.x + 4.0f, min.y}, max, kLeastPlotWidth);
@@ -292,7 +255,7 @@ void follow_analysis(ViewContext& context) {
 void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_width) {
   follow_analysis(context);
   draw_toolbar(context, min, max.x - min.x - pages_width);
-  const ImVec2 top{min.x, min.y + ImGui::GetFrameHeight() + 10.0f};
+  ImVec2 top{min.x, min.y + ImGui::GetFrameHeight() + 10.0f};
   if (max.y - top.y < 40.0f) return;
   if (!context.analysis.problem().empty() || context.analysis.plots().empty()) {
     ImGui::SetCursorScreenPos({top.x + kLabelInset, top.y + kLabelInset});
@@ -302,6 +265,7 @@ void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_w
     context.items.add_last("plots.problem", problem);
     return;
   }
+  top.y += draw_clip_legend(context, top, max.x - min.x - pages_width);
   switch (context.options.plot_mode) {
     case PlotMode::OverTime: {
       const float height = contacts_.draw(context, top, {max.x, top.y + kContactsShare * (max.y - top.y)});

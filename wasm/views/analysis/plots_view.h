@@ -22,7 +22,6 @@ class PlotsView {
   void draw_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max);
   void draw_narrow_label(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min, ImVec2 max) const;
   void draw_values(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at, ImVec2 max) const;
-  void draw_buttons(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 min);
   void draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const;
 
   ContactStrip contacts_;

@@ -32,7 +32,8 @@ void draw_header(ViewContext& context) {
   }
 }
 
-void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, int row) {
+// Of a clip beside the open one: `clip_name`, else "".
+void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, std::string_view clip_name, int row) {
   const FrameRange asked = context.session.playback.range();
   const FrameIndex first = std::min(asked.first, size_of(line.values));
   const auto found = find_range_statistics(line.values, {first, std::min(asked.end(), size_of(line.values)) - first});
@@ -44,7 +45,9 @@ void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& l
   ui::elided_text(context, SmallText("{}{}", plot.choice.quantity->label, letter[1] == '\0' ? "" : letter), ImGui::GetContentRegionAvail().x,
                   component_color(context.theme, line.component));
   ImGui::TableNextColumn();
-  ui::elided_text(context, plot.whose(), ImGui::GetContentRegionAvail().x, context.theme.text);
+  const SmallText whose("{}{}{}", plot.whose(), clip_name.empty() ? "" : " · ", clip_name);
+  ui::elided_text(context, whose, ImGui::GetContentRegionAvail().x, clip_name.empty() ? context.theme.text : context.theme.dim_text);
+  context.items.add_last(SmallText("plots.statistics.{}.of", row), whose);
   ImGui::TableNextColumn();
   ui::dim_text(context, plot.unit);
   if (!found) return;
@@ -90,7 +93,11 @@ void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
   draw_header(context);
   int row = 0;
   for (const AnalysisPlot& plot : context.analysis.plots()) {
-    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, row++);
+    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, "", row++);
+    for (std::size_t other = 0; other < std::min(plot.others.size(), context.session.others.size()); ++other) {
+      const std::string name = ui::displayable(context.session.others[other]->file_name);
+      for (const PlotLine& line : plot.others[other]) draw_line(context, plot, line, name, row++);
+    }
   }
   draw_events(context, range);
   ImGui::EndTable();

@@ -34,10 +34,8 @@ void CurveShape::add_point(ImVec2 point) {
   ++strips_.back().count;
 }
 
-void CurveShape::draw(ImDrawList& list, ImU32 color, float width) const {
-  for (const Strip& strip : strips_) {
-    list.AddPolyline(points(strip).data(), strip.count, color, ImDrawFlags_None, width);
-  }
+void CurveShape::draw(ImDrawList& list, ImU32 color, float width, Dashes dashes) const {
+  for (const Strip& strip : strips_) stroke_dashed(list, points(strip), color, width, dashes);
 }
 
 void CurveShape::add_to(CurveBatch& batch, ImU32 color, float width) const {

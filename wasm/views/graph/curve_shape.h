@@ -7,6 +7,7 @@
 
 #include "wasm/app/time_window.h"
 #include "wasm/render/curve_batch.h"
+#include "wasm/views/graph/dashes.h"
 #include "wasm/views/graph/value_axis.h"
 
 namespace marey::app {
@@ -26,7 +27,7 @@ class CurveShape {
   [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
   [[nodiscard]] std::span<const ImVec2> points(const Strip& strip) const;
 
-  void draw(ImDrawList& list, ImU32 color, float width) const;
+  void draw(ImDrawList& list, ImU32 color, float width, Dashes dashes = {}) const;
   /// The same for a batch of lines.
   void add_to(CurveBatch& batch, ImU32 color, float width) const;
 

@@ -119,7 +119,7 @@ void draw_curve(const PlotCurve& curve, const PlotArea& area) {
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) {
       close_column();
-      list.PathStroke(curve.color, 0, curve.width);
+      stroke_path(list, curve.color, curve.width, curve.dashes);
       continue;
     }
     const float x = area.x_of(curve.x[i]);
@@ -131,7 +131,7 @@ void draw_curve(const PlotCurve& curve, const PlotArea& area) {
     column.add(area.axis.y_of(curve.y[i]));
   }
   close_column();
-  list.PathStroke(curve.color, 0, curve.width);
+  stroke_path(list, curve.color, curve.width, curve.dashes);
 }
 
 void draw_mark(ViewContext& context, const PlotMark& mark, const PlotArea& area, float row) {

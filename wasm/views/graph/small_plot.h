@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "wasm/app/view_context.h"
+#include "wasm/views/graph/dashes.h"
 
 namespace marey::app {
 
@@ -15,6 +16,7 @@ struct PlotCurve {
   std::span<const double> y;
   ImU32 color = 0;
   float width = 1.5f;
+  Dashes dashes{};
 };
 
 /// An upright line with its name.

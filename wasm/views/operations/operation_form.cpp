@@ -76,7 +76,7 @@ bool OperationForm::lacks_other() const {
 }
 
 void OperationForm::take_other(const Session& session) {
-  other_ = session.other;
+  other_ = session.other();
   values_.other = other_ ? &other_->clip : nullptr;
 }
 
@@ -89,7 +89,7 @@ void OperationForm::follow_clip(ViewContext& context) {
     gesture_ = 0;
     previews_ = false;
   }
-  if (other_ != session.other) {
+  if (other_ != session.other()) {
     take_other(session);
     changed_ = true;
   }
