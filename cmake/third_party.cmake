@@ -19,7 +19,7 @@ marey_add_header_library(glm glm/glm.hpp)
 target_compile_definitions(glm INTERFACE GLM_FORCE_EXPLICIT_CTOR GLM_ENABLE_EXPERIMENTAL)
 marey_add_header_library(fmt fmt/format.h)
 # Nothing here formats a long double or thousands.
-target_compile_definitions(fmt INTERFACE FMT_EXCEPTIONS=0 FMT_USE_LONG_DOUBLE=0 "FMT_STATIC_THOUSANDS_SEPARATOR=','")
+target_compile_definitions(fmt INTERFACE FMT_EXCEPTIONS=0 FMT_USE_LONG_DOUBLE=0 FMT_USE_INT128=0 "FMT_STATIC_THOUSANDS_SEPARATOR=','")
 # What fmt_library.cpp names is that of {fmt} 9; with another one each file compiles all of it.
 file(STRINGS "${fmt_ROOT}/fmt/core.h" fmt_version REGEX "#define FMT_VERSION 9[0-9][0-9][0-9][0-9]$")
 if(fmt_version)

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 #include "core/base/index.h"
+#include "core/base/stable_order.h"
 
 namespace marey {
 
@@ -24,15 +24,12 @@ void Diagnostics::add(Diagnostic diagnostic, std::string_view merge_key) {
 }
 
 void Diagnostics::sort_by_place() {
-  std::vector<int> order(list_.size());
-  std::iota(order.begin(), order.end(), 0);
   const auto key = [this](int i) {
     const TextPlace& place = list_[idx(i)].place;
     return place.line == 0 ? std::pair(std::numeric_limits<int>::max(), 0) : std::pair(place.line, place.column);
   };
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return key(a) < key(b); });
   Diagnostics sorted;
-  for (const int i : order) {
+  for (const int i : stable_order(size_of(list_), [&](int a, int b) { return key(a) < key(b); })) {
     sorted.list_.push_back(std::move(list_[idx(i)]));
     sorted.merge_keys_.push_back(std::move(merge_keys_[idx(i)]));
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/stable_order.h"
 #include "core/base/text_cursor.h"
 
 namespace marey {
@@ -64,7 +65,7 @@ void HeaderPatches::append(const HeaderPatches& others) {
 /// By rising place; words taken out one after the other are one patch, which takes their blanks and empty lines along.
 std::vector<HeaderPatches::Patch> HeaderPatches::merged(std::string_view text) const {
   std::vector<Patch> sorted = patches_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Patch& a, const Patch& b) {
+  sort_stably(sorted, [](const Patch& a, const Patch& b) {
     return a.begin != b.begin ? a.begin < b.begin : a.length > b.length;
   });
   std::vector<Patch> result;

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/stable_order.h"
 #include "core/skeleton/body_side.h"
 
 namespace marey {
@@ -155,7 +156,7 @@ class Pairing {
         candidates.push_back({fit_of(skeleton_, a, b), a, b});
       }
     }
-    std::stable_sort(candidates.begin(), candidates.end(), [](const Candidate& x, const Candidate& y) { return y.fit < x.fit; });
+    sort_stably(candidates, [](const Candidate& x, const Candidate& y) { return y.fit < x.fit; });
     for (const Candidate& candidate : candidates) {
       if (is_free(candidate.a) && is_free(candidate.b)) join(candidate.a, candidate.b);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/base/stable_order.h"
 #include "core/lint/lint.h"
 
 namespace marey::lint {
@@ -31,15 +32,12 @@ template <class Item, class Weight>
 int keep_worst(std::vector<Item>& items, int most, Weight weight) {
   const int surplus = size_of(items) - std::max(most, 1);
   if (surplus <= 0) return 0;
-  std::vector<std::size_t> order(items.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return weight(items[a]) > weight(items[b]); });
+  std::vector<int> order = stable_order(size_of(items), [&](int a, int b) { return weight(items[idx(a)]) > weight(items[idx(b)]); });
   order.resize(items.size() - idx(surplus));
   std::sort(order.begin(), order.end());
   std::vector<Item> kept;
   kept.reserve(order.size());
-  for (std::size_t i : order) kept.push_back(std::move(items[i]));
+  for (const int i : order) kept.push_back(std::move(items[idx(i)]));
   items = std::move(kept);
   return surplus;
 }

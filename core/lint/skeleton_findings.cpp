@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/stable_order.h"
 #include "core/lint/wording.h"
 
 namespace marey {
@@ -88,8 +89,7 @@ std::vector<OrderUse> find_orders(const Skeleton& skeleton) {
     if (use == uses.end()) use = uses.insert(uses.end(), {std::move(order), {}});
     use->nodes.push_back(skeleton.node_of(joint));
   }
-  std::stable_sort(uses.begin(), uses.end(),
-                   [](const OrderUse& a, const OrderUse& b) { return a.nodes.size() > b.nodes.size(); });
+  sort_stably(uses, [](const OrderUse& a, const OrderUse& b) { return a.nodes.size() > b.nodes.size(); });
   return uses;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/counted.h"
+#include "core/base/stable_order.h"
 #include "core/lint/curve_steps.h"
 #include "core/lint/incidents.h"
 #include "core/lint/wording.h"
@@ -101,7 +102,7 @@ void add_series(FindingKind kind, const Clip& clip, std::vector<LeapSeries> all,
                 LintReport& report) {
   report.left_out[static_cast<std::size_t>(kind)] =
       lint::keep_worst(all, options.most_per_kind, [](const LeapSeries& series) { return series.count; });
-  std::stable_sort(all.begin(), all.end(), [](const LeapSeries& a, const LeapSeries& b) { return a.first < b.first; });
+  sort_stably(all, [](const LeapSeries& a, const LeapSeries& b) { return a.first < b.first; });
   for (const LeapSeries& series : all) {
     report.findings.push_back({kind, series.joint, series.first_leap.channel,
                                FrameRange{series.first, series.last - series.first + 2}, series.count,

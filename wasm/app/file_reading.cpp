@@ -1,11 +1,9 @@
 #include "wasm/app/file_reading.h"
 
-#include <nlohmann/json.hpp>
-
-#include "core/base/text_place.h"
 #include "core/biomechanics/body_model_json.h"
 #include "core/motion/resampling.h"
 #include "core/table/csv_reader.h"
+#include "wasm/app/json_reading.h"
 
 namespace marey::app {
 namespace {
@@ -39,12 +37,9 @@ bool is_table(std::string_view file_name) { return ends_in(file_name, ".csv"); }
 bool is_body_model(std::string_view file_name) { return ends_in(file_name, ".json"); }
 
 Result<BodyModel> read_opened_model(std::string_view bytes, const Skeleton& skeleton) {
-  try {
-    return read_body_model(nlohmann::json::parse(bytes), skeleton);
-  } catch (const nlohmann::json::parse_error& error) {
-    const TextPlace place = text_place(bytes, error.byte > 0 ? error.byte - 1 : 0);
-    return Error{DiagnosticCode::InvalidArgument, place, "This is not valid JSON, which a model of a body is.", {}, {}};
-  }
+  const Result<nlohmann::json> json = read_json(bytes);
+  if (!json) return json.error();
+  return read_body_model(*json, skeleton);
 }
 
 Result<BvhClip> read_opened_table(std::string_view bytes, const Document* open_document) {

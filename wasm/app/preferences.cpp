@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "wasm/app/json_reading.h"
+
 namespace marey::app {
 namespace {
 
@@ -82,7 +84,8 @@ std::string write_preferences(const Preferences& preferences) {
 
 Preferences read_preferences(std::string_view json_text) {
   Preferences preferences;
-  const json object = json::parse(json_text, nullptr, false);
+  const Result<json> read = read_json(json_text);
+  const json object = read ? *read : json();
   if (!object.is_object()) return preferences;
   visit_values(preferences, Reader{object});
   if (const auto theme = object.find("theme"); theme != object.end()) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "wasm/app/faults.h"
+#include "wasm/app/json_reading.h"
 #include "wasm/bindings/page_binding.h"
 
 namespace {
@@ -149,9 +150,9 @@ EMSCRIPTEN_KEEPALIVE int marey_commands(PageBinding* binding) {
 EMSCRIPTEN_KEEPALIVE int marey_run_command(PageBinding* binding, const char* id, size_t id_size, const char* args,
                                            size_t args_size) {
   return answer(*binding, [&]() -> Result<json> {
-    const json parsed = args_size == 0 ? json() : json::parse(view_of(args, args_size), nullptr, false);
-    if (parsed.is_discarded()) return json{{"error", "The arguments are not JSON."}};
-    return binding->page.app().run_command(view_of(id, id_size), parsed);
+    const Result<json> parsed = args_size == 0 ? Result<json>(json()) : marey::app::read_json(view_of(args, args_size));
+    if (!parsed) return json{{"error", "The arguments are not JSON."}};
+    return binding->page.app().run_command(view_of(id, id_size), *parsed);
   });
 }
 

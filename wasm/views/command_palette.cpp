@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stable_order.h"
 #include "wasm/app/fuzzy_match.h"
 #include "wasm/app/icons.h"
 #include "wasm/app/shortcut.h"
@@ -49,7 +50,7 @@ void CommandPalette::collect(const CommandRegistry& registry) {
     }
   }
   const auto better = [](const Entry& a, const Entry& b) { return a.score > b.score; };
-  if (!query_.empty()) std::stable_sort(entries_.begin(), entries_.end(), better);
+  if (!query_.empty()) sort_stably(entries_, better);
 }
 
 // The field keeps the keyboard: asking for history keeps up and down from moving ImGui's focus away from it.

@@ -95,8 +95,8 @@ json save_model(Workspace& workspace) {
 
 void add_model_commands(CommandRegistry& registry, Workspace& workspace) {
   registry.add({.id = "analysis.open_model",
-                .label = "Open a model…",
-                .help = "Reads masses, centres and inertias of the segments from a JSON file, which \"Save the model\" and marey analyse write.",
+                .label = "Open model…",
+                .help = "Reads masses, centres and inertias of the segments from a JSON file, which \"Save model\" and marey analyse write.",
                 .icon = icons::kFolderOpen,
                 .run = [&workspace](const json&) -> json {
                   workspace.backend.ask_for_file();
@@ -104,7 +104,7 @@ void add_model_commands(CommandRegistry& registry, Workspace& workspace) {
                 },
                 .blocked = [&workspace] { return needs_whole_clip(workspace); }});
   registry.add({.id = "analysis.save_model",
-                .label = "Save the model",
+                .label = "Save model",
                 .help = "Downloads masses, centres and inertias of the segments as JSON.",
                 .icon = icons::kFileDown,
                 .run = [&workspace](const json&) { return save_model(workspace); },

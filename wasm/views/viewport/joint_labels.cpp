@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/stable_order.h"
+
 #include "wasm/app/widgets.h"
 
 namespace marey::app {
@@ -82,7 +84,7 @@ void JointLabels::update_names(const ViewContext& context, const ViewportState& 
     names_.push_back({joint, std::move(text), {size.x + 2.0f * kPadding.x, size.y + 2.0f * kPadding.y}});
   }
   // Joints with much of the body below them come first, fingers last.
-  std::stable_sort(names_.begin(), names_.end(), [&](const Name& a, const Name& b) {
+  sort_stably(names_, [&](const Name& a, const Name& b) {
     return skeleton.subtree_end(a.joint) - a.joint > skeleton.subtree_end(b.joint) - b.joint;
   });
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "core/base/stable_order.h"
 #include "core/kinematics/forward_kinematics.h"
 #include "wasm/views/viewport/figure_drawing.h"
 
@@ -68,7 +69,7 @@ std::vector<NodeIndex> find_trail_nodes(const Skeleton& skeleton, const Selectio
   const std::vector<glm::dvec3> positions = compute_rest_positions(skeleton);
   std::vector<NodeIndex> ends = find_ends(skeleton);
   const auto reach = [&](NodeIndex node) { return glm::distance(positions[idx(node)], positions[0]); };
-  std::stable_sort(ends.begin(), ends.end(), [&](NodeIndex a, NodeIndex b) { return reach(a) > reach(b); });
+  sort_stably(ends, [&](NodeIndex a, NodeIndex b) { return reach(a) > reach(b); });
   const double apart = kEndsApart * compute_stature(skeleton);
   for (const NodeIndex end : ends) {
     const bool is_far = std::all_of(nodes.begin(), nodes.end(), [&](NodeIndex taken) {
