@@ -21,6 +21,7 @@ const help = `node scripts/screenshot.mjs OUT.png [option...]
                        drag:ITEM:DX,DY     drag from a widget's middle; ITEM@X,Y starts X,Y behind its corner
                        key:CHORD           press "Control+k"; type:TEXT types
                        wait:MS
+                       beside:FILE     put another BVH file beside the open one
   --items            print the visible widgets as JSON
   --state            print the page's state as JSON`;
 
@@ -52,6 +53,12 @@ async function drag(page, text) {
   await page.mouse.up();
 }
 
+/** `how`: "open" or "openOther". */
+function openFile(page, file, how) {
+  const data = [basename(file), readFileSync(file, "latin1"), how];
+  return page.evaluate(([name, text, method]) => window.marey[method](name, Uint8Array.from(text, (c) => c.charCodeAt(0))), data);
+}
+
 const steps = {
   click: async (page, text) => { const { x, y } = await findPoint(page, text); await page.mouse.click(x, y, { delay: 80 }); },
   rightclick: async (page, text) => { const { x, y } = await findPoint(page, text); await page.mouse.click(x, y, { delay: 80, button: "right" }); },
@@ -61,6 +68,7 @@ const steps = {
   key: (page, text) => page.keyboard.press(text, { delay: 80 }),
   type: (page, text) => page.keyboard.type(text, { delay: 40 }),
   wait: (page, text) => page.waitForTimeout(Number(text)),
+  beside: (page, file) => openFile(page, file, "openOther"),
 };
 
 async function runStep(page, step) {
@@ -93,10 +101,7 @@ async function openPage(values, address) {
 async function takePicture(path, values, address) {
   const { browser, page } = await openPage(values, address);
   try {
-    for (const file of values.open ?? []) {
-      const data = [basename(file), readFileSync(file, "latin1")];
-      await page.evaluate(([name, text]) => window.marey.open(name, Uint8Array.from(text, (c) => c.charCodeAt(0))), data);
-    }
+    for (const file of values.open ?? []) await openFile(page, file, "open");
     for (const step of values.do ?? []) await runStep(page, step);
     await page.waitForTimeout(400);
     mkdirSync(dirname(resolve(path)), { recursive: true });

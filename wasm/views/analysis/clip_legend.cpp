@@ -1,6 +1,7 @@
 #include "wasm/views/analysis/clip_legend.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "wasm/app/icons.h"
@@ -10,53 +11,63 @@
 namespace marey::app {
 namespace {
 
-constexpr float kHeight = 26.0f;
+constexpr float kLeastRow = 26.0f;
 constexpr float kInset = 12.0f;
 constexpr float kLine = 34.0f;
 constexpr float kGap = 8.0f;
 constexpr float kMostName = 220.0f;
 
-// A line as the plots draw it, and a name; where it ends.
-float draw_entry(ViewContext& context, ImVec2 at, float room, std::string_view name, float width, Dashes dashes) {
-  CurveShape shape;
-  const TimeWindow time{.first = 0.0, .last = 1.0, .left = at.x, .right = at.x + kLine};
-  ValueAxis axis;
-  axis.low = -1.0;
-  axis.high = 1.0;
-  axis.top = at.y;
-  axis.bottom = at.y + kHeight;
-  const double middle[] = {0.0, 0.0};
-  shape.build(middle, time, axis);
-  shape.draw(*ImGui::GetWindowDrawList(), context.theme.dim_text, width, dashes);
-  ImGui::SetCursorScreenPos({at.x + kLine + kGap, at.y + 0.5f * (kHeight - ImGui::GetTextLineHeight())});
-  const float name_width = std::min(ImGui::CalcTextSize(name.data(), name.data() + name.size()).x, room - kLine - kGap);
-  ui::elided_text(context, name, name_width + 1.0f, context.theme.text);
-  return at.x + kLine + kGap + name_width + kGap;
-}
+/// Entries from left to right, and in further rows where there is no room.
+class Legend {
+ public:
+  Legend(ViewContext& context, ImVec2 min, float width)
+      : context_(context), min_(min), right_(min.x + width - kInset), row_(std::max(kLeastRow, ImGui::GetFrameHeight())), at_{min.x + kInset, min.y} {}
+
+  // A line as the plots draw it, a name, and room for what comes behind it.
+  void add(std::string_view name, float width, Dashes dashes, float behind) {
+    const float name_width = std::min(ImGui::CalcTextSize(name.data(), name.data() + name.size()).x, kMostName);
+    const float needs = kLine + kGap + name_width + kGap + behind;
+    if (at_.x + needs > right_ && at_.x > min_.x + kInset) at_ = {min_.x + kInset, at_.y + row_};
+    const float middle = std::round(at_.y + 0.5f * row_) + 0.5f;
+    const ImVec2 line[] = {{at_.x, middle}, {at_.x + kLine, middle}};
+    stroke_dashed(*ImGui::GetWindowDrawList(), line, context_.theme.dim_text, width, dashes);
+    ImGui::SetCursorScreenPos({at_.x + kLine + kGap, at_.y + 0.5f * (row_ - ImGui::GetTextLineHeight())});
+    ui::elided_text(context_, name, name_width + 1.0f, context_.theme.text);
+    behind_ = {at_.x + needs - behind, at_.y + 0.5f * (row_ - ImGui::GetFrameHeight())};
+    at_.x += needs + kGap;
+  }
+  [[nodiscard]] ImVec2 behind() const { return behind_; }
+  [[nodiscard]] float height() const { return at_.y + row_ - min_.y; }
+
+ private:
+  ViewContext& context_;
+  ImVec2 min_;
+  float right_;
+  float row_;
+  ImVec2 at_;
+  ImVec2 behind_;
+};
 
 }  // namespace
 
 float draw_clip_legend(ViewContext& context, ImVec2 min, float width) {
   Session& session = context.session;
   if (session.others.empty()) return 0.0f;
-  const float button = ImGui::GetFrameHeight();
-  const float count = static_cast<float>(session.others.size() + 1);
-  const float room = std::min((width - 2.0f * kInset) / count - button - kGap, kMostName);
-  float x = draw_entry(context, {min.x + kInset, min.y}, room, ui::displayable(session.document.file_name()), 1.75f, {});
+  Legend legend(context, min, width);
+  legend.add(ui::displayable(session.document.file_name()), 1.75f, {}, 0.0f);
   std::optional<std::size_t> removed;
   for (std::size_t i = 0; i < session.others.size(); ++i) {
     const std::string name = ui::displayable(session.others[i]->file_name);
-    x = draw_entry(context, {x + kGap, min.y}, room, name, 1.25f, dashes_of(i));
+    legend.add(name, 1.25f, dashes_of(i), ImGui::GetFrameHeight());
     context.items.add_last(SmallText("plots.other.{}", i), name);
-    ImGui::SetCursorScreenPos({x - 4.0f, min.y + 0.5f * (kHeight - button)});
+    ImGui::SetCursorScreenPos(legend.behind());
     if (ui::icon_button(context, SmallText("plots.other.{}.remove", i).c_str(), icons::kX, "Take away. The file is not changed.")) removed = i;
-    x += button;
   }
   if (removed) {
     session.others.erase(session.others.begin() + static_cast<std::ptrdiff_t>(*removed));
     context.redraw = true;
   }
-  return kHeight;
+  return legend.height();
 }
 
 }  // namespace marey::app

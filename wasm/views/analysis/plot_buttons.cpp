@@ -13,6 +13,7 @@ namespace {
 
 constexpr const char* kFrameList = "plots.frames";
 constexpr const char* kPlotMenu = "plots.menu";
+constexpr float kTouchSpacing = 18.0f;
 
 // The frames of reference that a plot can be seen from, as lines of an open popup; whether one was chosen.
 bool draw_frames(ViewContext& context, const AnalysisPlot& plot, std::string& frame) {
@@ -107,6 +108,8 @@ void open_plot_menu() { ImGui::OpenPopup(kPlotMenu); }
 void draw_plot_menu(ViewContext& context, const AnalysisPlot& plot, int index) {
   if (!ImGui::BeginPopup(kPlotMenu)) return;
   ui::popup_shadow(context);
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, context.options.touch ? kTouchSpacing : spacing.y});
   const auto chosen = [&](const char* id, const char* label) {
     const bool is_chosen = ImGui::Selectable(label);
     context.items.add_last(id, label);
@@ -120,6 +123,7 @@ void draw_plot_menu(ViewContext& context, const AnalysisPlot& plot, int index) {
     ImGui::SeparatorText("Seen from");
     sees = draw_frames(context, plot, frame);
   }
+  ImGui::PopStyleVar();
   ImGui::EndPopup();
   if (pins) toggle_pin(context, plot, index);
   else if (sees) see_from(context, plot, index, std::move(frame));

@@ -177,7 +177,7 @@ void PlotsView::draw_narrow_label(ViewContext& context, const AnalysisPlot& plot
 void PlotsView::draw_values(ViewContext& context, const AnalysisPlot& plot, int index, ImVec2 at, ImVec2 max) const {
   constexpr float kLine = 15.0f;
   const FrameIndex frame = context.session.playback.frame();
-  const bool in_one_row = max.y - at.y < 3.0f * kLine;
+  const bool in_one_row = max.y - at.y < 3.0f * kLine + 3.0f;
   const ImVec2 step = in_one_row ? ImVec2((max.x - at.x) / 3.0f, 0.0f) : ImVec2(0.0f, kLine);
   for (const PlotLine& line : plot.lines) {
     if (at.y + 12.0f > max.y) return;
@@ -265,7 +265,7 @@ void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_w
     context.items.add_last("plots.problem", problem);
     return;
   }
-  top.y += draw_clip_legend(context, top, max.x - min.x - pages_width);
+  top.y += draw_clip_legend(context, top, max.x - min.x);
   switch (context.options.plot_mode) {
     case PlotMode::OverTime: {
       const float height = contacts_.draw(context, top, {max.x, top.y + kContactsShare * (max.y - top.y)});
