@@ -98,7 +98,7 @@ test("quantities are added, set against each other, and told in numbers", async 
   await marey.click("plots.add");
   await marey.click("plots.add.kinetic_energy");
   await marey.expectState(({ analysis }) => analysis.plots.at(-1), {
-    quantity: "kinetic_energy", owner: "whole body", frame: "", unit: "J", values: expect.anything(), bands: {},
+    quantity: "kinetic_energy", owner: "whole body", frame: "", unit: "J", values: expect.anything(), others: [], bands: {},
   });
   await marey.click("plots.mode");
   await marey.click("plots.mode.against");
@@ -119,4 +119,58 @@ test("the figure is let go, watched, and put back", async ({ marey }) => {
   await marey.picture("let-go");
   await marey.press("Control+z");
   await marey.expectState(({ undoDepth }) => undoDepth, before.undoDepth);
+});
+
+// Fixture D of the shared theory, section 7.3: 70 kg of average male proportions.
+const gymnast = {
+  metres_per_unit: 0.055,
+  segments: [["Arms", 10, 0.0988, 0.5315, 0.2789], ["Body", 12, 0.504, 0.3158, 0.4435], ["Legs", 16, 0.3972, 0.2899, 0.2536]].map(
+    ([joint, units, share, centre, radius]) => {
+      const moment = 70 * share * (radius * 0.055 * units) ** 2;
+      return { joint, mass_kg: 70 * share, com_m: [0, centre * 0.055 * units, 0], inertia_kgm2: [moment, 0, moment, 0, 0, 0] };
+    }),
+};
+
+test("measured segments are dropped on the page, changed, and downloaded again", async ({ marey, page }) => {
+  await drop(page, [{ name: "gymnast.json", text: JSON.stringify(gymnast) }]);
+  await marey.expectState(({ file, undoName, metresPerUnit }) => ({ file, undoName, metresPerUnit }),
+    { file: "swing.bvh", undoName: "Open a model of the body", metresPerUnit: 0.055 });
+  await marey.command("view.curves", { on: false });
+  await marey.click("outliner.joint.1");
+  await marey.click("inspector.tab.body");
+  expect((await marey.item("body.table")).label).toBe("Table");
+  await marey.click("body.centre.0", { clickCount: 2 });
+  await marey.press("Control+a");
+  await page.keyboard.type("0.02");
+  await marey.press("Enter");
+  await marey.expectState(({ undoName }) => undoName, "Change a segment");
+  await marey.picture("segment");
+  const { name, bytes } = await downloadBy(marey, page, "analysis.save_model");
+  expect(name).toBe("swing-body.json");
+  const saved = JSON.parse(bytes.toString());
+  expect(saved.segments).toHaveLength(3);
+  expect(saved.segments[1].com_m).toEqual([0.02, gymnast.segments[1].com_m[1], 0]);
+  expect(saved.segments[2]).toEqual(gymnast.segments[2]);
+  await drop(page, [{ name: "broken.json", text: "{ \"segments\": [" }]);
+  await marey.expectState(({ messages }) => messages.map(({ title }) => title), ["broken.json could not be opened"]);
+  await marey.press("Control+z");
+  await marey.press("Control+z");
+  await marey.expectState(({ dirty, undoDepth }) => ({ dirty, undoDepth }), { dirty: false, undoDepth: 0 });
+});
+
+test("clips are compared with each other", async ({ marey, page }) => {
+  const slow = swing.replace(/Frame Time:.*/, "Frame Time: 0.05");
+  await page.evaluate(async ([a, b]) => {
+    await window.marey.openOther("again.bvh", a);
+    await window.marey.openOther("slow.bvh", b);
+  }, [swing, slow]);
+  await marey.expectState(({ otherFiles }) => otherFiles, ["again.bvh", "slow.bvh"]);
+  await marey.command("play.go_to_frame", { frame: 10 });
+  const { analysis } = await marey.state();
+  expect(analysis.plots[0].others).toHaveLength(2);
+  expect(analysis.plots[0].others[0]).toEqual(analysis.plots[0].values);
+  expect(analysis.plots[0].others[1].z).toBeLessThan(analysis.plots[0].values.z);
+  await marey.picture("compared");
+  await marey.click("plots.other.0.remove");
+  await marey.expectState(({ otherFiles }) => otherFiles, ["slow.bvh"]);
 });
