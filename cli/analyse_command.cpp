@@ -135,20 +135,9 @@ std::optional<AnalysisRequest> make_request(const AnalyseOptions& options, const
   return request.model ? std::optional(std::move(request)) : std::nullopt;
 }
 
-/// The masses that are asked for, else those that the clip tells by itself; nothing without any, which has been reported.
-std::optional<BodyModel> find_model(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
-  if (request.model) return request.model;
-  Result<ChosenBody> body = find_chosen_body(clip);
-  if (body) return std::move(body->body.model);
-  report_error(options.input.file, body.error());
-  return std::nullopt;
-}
-
 /// Writes the masses as a model; false if that fails, which has been reported.
-bool write_model(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
-  const std::optional<BodyModel> model = find_model(options, clip, request);
-  if (!model) return false;
-  const Result<std::string> text = write_body_model(*model, clip.skeleton);
+bool write_model(const AnalyseOptions& options, const Clip& clip, const BodyModel& model) {
+  const Result<std::string> text = write_body_model(model, clip.skeleton);
   if (!text) {
     report_error(options.input.file, text.error());
     return false;
@@ -160,7 +149,12 @@ bool write_model(const AnalyseOptions& options, const Clip& clip, const Analysis
 
 /// Says what speaks for or against unit, frame time and floor; false if that cannot be judged, which has been reported.
 bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const AnalysisRequest& request) {
-  const std::optional<BodyModel> model = find_model(options, clip, request);
+  std::optional<BodyModel> model = request.model;
+  if (!model) {
+    Result<ChosenBody> body = find_chosen_body(clip);
+    if (body) model = std::move(body->body.model);
+    else report_error(options.input.file, body.error());
+  }
   if (!model) return false;
   Clip judged = clip;
   if (request.frame_time_s) judged.motion.set_frame_time_s(*request.frame_time_s);
@@ -174,9 +168,18 @@ bool report_plausibility(const AnalyseOptions& options, const Clip& clip, const 
   return true;
 }
 
+/// What does not go together; "" where all does.
+const char* find_contradiction(const AnalyseOptions& options) {
+  if (options.quantities.empty() && !options.judges && options.save_model.empty()) return "Say what to write by -q, --judge, or --save-model.";
+  if (options.save_model.empty()) return "";
+  if (options.model.empty() && options.body.empty()) return "Say which masses --save-model is to write: --body, or --model.";
+  const bool both = options.save_model == "-" && !options.quantities.empty() && options.output == "-";
+  return both ? "Table and model cannot both go to standard output; give one of them a file." : "";
+}
+
 ExitCode run_analyse(const AnalyseOptions& options) {
-  if (options.quantities.empty() && !options.judges && options.save_model.empty()) {
-    report_usage_error("Say what to write by -q, --judge, or --save-model.");
+  if (const char* problem = find_contradiction(options); *problem != '\0') {
+    report_usage_error(problem);
     return ExitCode::BadInput;
   }
   std::optional<BvhClip> read = read_clip_for_use(options.input);
@@ -185,7 +188,7 @@ ExitCode run_analyse(const AnalyseOptions& options) {
   const std::optional<AnalysisRequest> request = make_request(options, clip);
   if (!request) return ExitCode::BadInput;
   if (options.judges && !report_plausibility(options, clip, *request)) return ExitCode::BadInput;
-  if (!options.save_model.empty() && !write_model(options, clip, *request)) return ExitCode::BadInput;
+  if (!options.save_model.empty() && !write_model(options, clip, *request->model)) return ExitCode::BadInput;
   if (options.quantities.empty()) return ExitCode::Done;
   const Result<AnalysisTable> table = analyse(clip, *request);
   if (!table) {

@@ -18,8 +18,8 @@ mergeInto(LibraryManager.library, {
   },
 
   marey_host_ask_for_file__deps: ["$mareyAsk"],
-  marey_host_ask_for_file: function (beside) {
-    mareyAsk((host) => host.askForFile(beside !== 0));
+  marey_host_ask_for_file: function (use) {
+    mareyAsk((host) => host.askForFile(use));
   },
 
   marey_host_download__deps: ["$mareyAsk", "$mareyText"],

@@ -25,7 +25,7 @@ bool is_semidefinite(const glm::dmat3& m) {
   const double size = std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2]);
   const auto minor = [&](int i, int k) { return m[i][i] * m[k][k] - m[i][k] * m[k][i]; };
   bool good = glm::determinant(m) >= -1e-9 * size * size * size;
-  for (int i = 0; i < 3; ++i) good = good && m[i][i] >= 0.0 && minor(i, (i + 1) % 3) >= -1e-9 * size * size;
+  for (int i = 0; i < 3; ++i) good = good && m[i][i] >= -1e-9 * size && minor(i, (i + 1) % 3) >= -1e-9 * size * size;
   return good;
 }
 

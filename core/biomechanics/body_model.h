@@ -20,6 +20,7 @@ struct Segment {
   double mass_kg = 0.0;
   glm::dvec3 com_m{0.0};           ///< centre of mass, from the joint's origin
   glm::dmat3 inertia_kgm2{0.0};    ///< about the centre of mass; symmetric
+  friend bool operator==(const Segment&, const Segment&) = default;
 };
 
 inline constexpr double kGravity_mps2 = 9.81;
@@ -29,6 +30,7 @@ struct BodyModel {
   std::vector<Segment> segments;
   std::optional<double> metres_per_unit;       ///< of the clip's unit of length; none: as the clip has it
   std::optional<glm::dvec3> gravity_mps2;      ///< none: 9.81 down the clip's up axis
+  friend bool operator==(const BodyModel&, const BodyModel&) = default;
 };
 
 /// A symmetric tensor from its moments and products: xx yy zz xy xz yz, the products as they stand in the matrix.

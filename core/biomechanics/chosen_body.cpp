@@ -11,10 +11,10 @@ namespace marey {
 namespace {
 
 // What the table gave keeps its shape, so inertia goes along.
-void give_mass(GuessedBody& body, const OwnSegment& own) {
+bool give_mass(GuessedBody& body, const OwnSegment& own) {
   double present_kg = 0.0;
   for (const Segment& segment : body.model.segments) present_kg += segment.joint == own.joint ? segment.mass_kg : 0.0;
-  if (!(present_kg > 0.0)) return;
+  if (!(present_kg > 0.0)) return false;
   const double factor = own.mass_kg / present_kg;
   for (Segment& segment : body.model.segments) {
     if (segment.joint != own.joint) continue;
@@ -22,13 +22,12 @@ void give_mass(GuessedBody& body, const OwnSegment& own) {
     segment.inertia_kgm2 *= factor;
   }
   for (GuessedPart& part : body.parts) part.mass_kg *= part.joint == own.joint ? factor : 1.0;
+  return true;
 }
 
-void give_segment(GuessedBody& body, const OwnSegment& own) {
-  if (!own.shape) {
-    give_mass(body, own);
-    return;
-  }
+// Whether it tells something: a mass without a shape needs a segment of the table.
+bool give_segment(GuessedBody& body, const OwnSegment& own) {
+  if (!own.shape) return give_mass(body, own);
   const auto same = std::find_if(body.parts.begin(), body.parts.end(), [&](const GuessedPart& part) { return part.joint == own.joint; });
   GuessedPart part{own.joint, same == body.parts.end() ? std::string("own segment") : same->name, own.mass_kg};
   std::erase_if(body.model.segments, [&](const Segment& segment) { return segment.joint == own.joint; });
@@ -36,11 +35,12 @@ void give_segment(GuessedBody& body, const OwnSegment& own) {
   body.model.segments.push_back({own.joint, own.mass_kg, own.shape->com_m, symmetric_tensor(own.shape->inertia_kgm2)});
   const auto behind = std::find_if(body.parts.begin(), body.parts.end(), [&](const GuessedPart& p) { return p.joint > own.joint; });
   body.parts.insert(behind, std::move(part));
+  return true;
 }
 
 Result<ChosenBody> find_own_body(const BodyChoice& choice, double metres_per_unit) {
   ChosenBody chosen;
-  for (const OwnSegment& own : choice.segments) give_segment(chosen.body, own);
+  for (const OwnSegment& own : choice.segments) chosen.own_count += give_segment(chosen.body, own) ? 1 : 0;
   chosen.body.model.metres_per_unit = metres_per_unit;
   if (total_mass_kg(chosen.body.model) > 0.0) return chosen;
   return Error{DiagnosticCode::InvalidArgument, {}, "No segment has a mass. Give one to a joint, open a model, or choose a table.", {}, {}};
@@ -60,7 +60,7 @@ Result<ChosenBody> find_table_body(const Skeleton& skeleton, const BodyChoice& c
   ChosenBody chosen;
   chosen.body = std::move(*body);
   chosen.table = table;
-  for (const OwnSegment& own : choice.segments) give_segment(chosen.body, own);
+  for (const OwnSegment& own : choice.segments) chosen.own_count += give_segment(chosen.body, own) ? 1 : 0;
   return chosen;
 }
 
@@ -76,7 +76,6 @@ Result<ChosenBody> find_chosen_body(const Skeleton& skeleton, const BodyChoice& 
   Result<ChosenBody> chosen = choice.is_only_own ? find_own_body(choice, metres_per_unit) : find_table_body(skeleton, choice, metres_per_unit);
   if (!chosen) return chosen;
   chosen->body.model.gravity_mps2 = choice.gravity_mps2;
-  chosen->own_count = static_cast<int>(choice.segments.size());
   chosen->mass_kg = total_mass_kg(chosen->body.model);
   return chosen;
 }

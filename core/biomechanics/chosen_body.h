@@ -13,7 +13,7 @@ namespace marey {
 struct ChosenBody {
   GuessedBody body;
   std::optional<BodyTable> table;  ///< the one that was taken; none where all values are people's own
-  int own_count = 0;               ///< segments that are people's own
+  int own_count = 0;               ///< segments that are people's own, wholly or by their mass
   double mass_kg = 0.0;            ///< of the whole body
 };
 

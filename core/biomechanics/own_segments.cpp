@@ -14,12 +14,16 @@ OwnSegment* find_own(BodyChoice& body, JointIndex joint) {
   return own == body.segments.end() ? nullptr : &*own;
 }
 
-// Without a mass before or behind there is no factor; the tensor stays as it was typed in.
-void set_mass(OwnSegment& own, double mass_kg) {
-  if (own.shape && own.mass_kg > 0.0 && mass_kg > 0.0) {
-    for (double& moment : own.shape->inertia_kgm2) moment *= mass_kg / own.mass_kg;
-  }
-  own.mass_kg = mass_kg;
+void scale_mass(OwnSegment& own, double factor) {
+  own.mass_kg *= factor;
+  if (!own.shape) return;
+  for (double& moment : own.shape->inertia_kgm2) moment *= factor;
+}
+
+double mass_of(const Clip& clip, const BodyChoice& body, JointIndex joint) {
+  const Result<ChosenBody> chosen = find_chosen_body(clip.skeleton, body, clip.settings.metres_per_unit);
+  const auto whole = chosen ? find_whole_segment(chosen->body.model, joint) : std::nullopt;
+  return whole ? whole->mass_kg : 0.0;
 }
 
 }  // namespace
@@ -51,28 +55,29 @@ void put_own_segment(BodyChoice& body, const OwnSegment& segment) {
 
 BodyChoice with_segment_mass(const Clip& clip, JointIndex joint, double mass_kg) {
   BodyChoice body = clip.body;
-  if (OwnSegment* own = find_own(body, joint)) {
-    set_mass(*own, mass_kg);
+  OwnSegment* own = find_own(body, joint);
+  if (own != nullptr && own->shape && own->mass_kg > 0.0) {
+    scale_mass(*own, mass_kg / own->mass_kg);
+    own->mass_kg = mass_kg;
     return body;
   }
-  const Result<ChosenBody> chosen = find_chosen_body(clip);
-  const auto present = chosen ? find_whole_segment(chosen->body.model, joint) : std::nullopt;
-  put_own_segment(body, present && present->mass_kg > 0.0 ? OwnSegment{joint, mass_kg, {}} : make_own_rod(clip, joint, mass_kg));
+  BodyChoice by_table = clip.body;
+  std::erase_if(by_table.segments, [&](const OwnSegment& segment) { return segment.joint == joint; });
+  put_own_segment(body, mass_of(clip, by_table, joint) > 0.0 ? OwnSegment{joint, mass_kg, {}} : make_own_rod(clip, joint, mass_kg));
   return body;
 }
 
 BodyChoice with_body_mass(const Clip& clip, double mass_kg) {
   BodyChoice body = clip.body;
-  if (!body.is_only_own) {
+  if (body.segments.empty()) {
     body.mass_kg = mass_kg;
-    body.segments.clear();
     return body;
   }
-  double present_kg = 0.0;
-  for (const OwnSegment& own : body.segments) present_kg += own.mass_kg;
-  for (OwnSegment& own : body.segments) {
-    if (present_kg > 0.0) set_mass(own, own.mass_kg * mass_kg / present_kg);
-  }
+  const Result<ChosenBody> present = find_chosen_body(clip);
+  if (!present) return body;
+  const double factor = mass_kg / present->mass_kg;
+  if (present->table) body.mass_kg = factor * body.mass_kg.value_or(usual_mass_kg(*present->table));
+  for (OwnSegment& own : body.segments) scale_mass(own, factor);
   return body;
 }
 

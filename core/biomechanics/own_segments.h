@@ -15,10 +15,11 @@ namespace marey {
 /// Puts a segment in the place of what is said of its joint.
 void put_own_segment(BodyChoice& body, const OwnSegment& segment);
 
-/// Another mass for all that a joint carries: its shape stays, so inertia goes along. A joint that carried nothing gets a rod.
+/// Another mass for all that a joint carries: its shape stays, so inertia goes along, also to 0. A joint that carried nothing gets
+/// a rod.
 [[nodiscard]] BodyChoice with_segment_mass(const Clip& clip, JointIndex joint, double mass_kg);
 
-/// Another mass of the body: shared out by the table anew, or, where only own values count, in the shares that they have.
+/// Another mass of the body: every segment keeps its share and its shape.
 [[nodiscard]] BodyChoice with_body_mass(const Clip& clip, double mass_kg);
 
 /// The same contacts and parts with the masses and the gravity of a model and no others; what hangs on one joint becomes one

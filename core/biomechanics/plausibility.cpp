@@ -107,7 +107,7 @@ void describe_energy(const Plausibility& found, double frame_time_s, std::vector
 void describe_flight(const Plausibility& found, std::vector<std::string>& sentences) {
   if (!found.fall_mps2) return;
   const std::string frames = counted(found.flight_frames, "frame");
-  if (std::abs(*found.fall_mps2 - found.gravity_mps2) <= kFallTolerance * found.gravity_mps2) {
+  if (std::abs(*found.fall_mps2 - found.gravity_mps2) <= kFallTolerance * kGravity_mps2) {
     sentences.push_back(fmt::format("In {} without contact it falls by {:.1f} m/s², as it should.", frames, *found.fall_mps2));
   } else {
     sentences.push_back(fmt::format("In {} without contact it falls by {:.1f} m/s² instead of {:.1f}: the unit of length or the frame time is off, "
@@ -141,7 +141,7 @@ Result<Plausibility> judge(const Clip& clip, const BodyModel& model, const Deriv
   std::vector<BodyState> states;
   for (FrameIndex frame = 0; frame < body->frame_count; ++frame) states.push_back(find_body_state(*body, model, gravity, frame));
   Plausibility found;
-  found.gravity_mps2 = glm::length(gravity);
+  found.gravity_mps2 = -gravity[up];
   found.stature_m = compute_stature(clip.skeleton) * unit;
   if (roots_stand_still(*body, clip.skeleton)) {
     judge_energy(states, frame_time, found);

@@ -21,7 +21,7 @@ struct Plausibility {
   double best_energy_change = 0.0;  ///< the same with the best one
   /// Mean acceleration of the centre of mass down the up axis while nothing touches the ground, in m/s2.
   std::optional<double> fall_mps2;
-  double gravity_mps2 = 0.0;  ///< that it should be
+  double gravity_mps2 = 0.0;  ///< what it should be
   int flight_frames = 0;
   double deepest_m = 0.0;  ///< how far a point goes below the floor
   int deep_frames = 0;     ///< in which a point is more than 2 cm below the floor

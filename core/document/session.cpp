@@ -32,6 +32,12 @@ Session Session::open(BvhClip clip, std::string file_name) {
 void Session::put_beside(std::shared_ptr<const OtherClip> other) {
   others.push_back(std::move(other));
   if (size_of(others) > kMostOtherClips) others.erase(others.begin());
+  ++others_serial;
+}
+
+void Session::take_away(int other) {
+  others.erase(others.begin() + other);
+  ++others_serial;
 }
 
 Status Session::apply(Edit edit) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct Session {
   int active_layer = kOwnKeys;
 
   std::vector<std::shared_ptr<const OtherClip>> others;  ///< in the order in which they were read, at most kMostOtherClips
+  std::uint64_t others_serial = 0;                       ///< grows with each change of them
 
   /// More of the file is still to come: every edit is refused.
   bool is_partial = false;
@@ -41,6 +43,7 @@ struct Session {
   [[nodiscard]] std::shared_ptr<const OtherClip> other() const { return others.empty() ? nullptr : others.back(); }
   /// The first one gives way to one too many.
   void put_beside(std::shared_ptr<const OtherClip> other);
+  void take_away(int other);
 
   /// Nothing selected, paused on the first frame.
   [[nodiscard]] static Session open(BvhClip clip, std::string file_name);

@@ -77,4 +77,12 @@ void turn_own_segments(BodyChoice& body, std::span<const glm::dmat3> rotations) 
   }
 }
 
+void scale_own_segments(BodyChoice& body, double factor) {
+  for (OwnSegment& own : body.segments) {
+    if (!own.shape) continue;
+    own.shape->com_m *= factor;
+    for (double& moment : own.shape->inertia_kgm2) moment *= factor * factor;
+  }
+}
+
 }  // namespace marey

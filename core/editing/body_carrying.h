@@ -19,4 +19,7 @@ namespace marey {
 /// Expresses own segments in other axes: of each joint, what takes the former ones to the new ones.
 void turn_own_segments(BodyChoice& body, std::span<const glm::dmat3> rotations);
 
+/// Makes own segments so many times as long, as their bones are; masses stay.
+void scale_own_segments(BodyChoice& body, double factor);
+
 }  // namespace marey

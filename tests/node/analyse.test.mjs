@@ -136,6 +136,8 @@ describe("models of the body", () => {
     const saved = join(folder, "saved.json");
     assert.equal(run(["analyse", swing, "--model", modelFile(), "--save-model", saved]).status, 0);
     assert.deepEqual(JSON.parse(readFileSync(saved, "utf8")), model);
+    refused(["analyse", swing, "--save-model", saved], /--body, or --model/);
+    refused(["analyse", swing, "-q", "com", "--body", "rods", "--save-model", "-"], /standard output/);
     const made = join(folder, "made.json");
     const quantities = ["-q", "torque:*", "--support", "pivot"];
     const direct = run(["analyse", swing, ...quantities, "--body", "deleva-male", "--save-model", made]);
@@ -151,6 +153,8 @@ describe("models of the body", () => {
     assert.equal(made.segments.length, 3);
     made.segments.forEach((segment, i) => assert.ok(Math.abs(segment.mass_kg - JSON.parse(readFileSync(saved, "utf8")).segments[i].mass_kg) < 1e-9));
     assert.ok(Math.abs(clip.bodyModel().segments.reduce((sum, { mass_kg }) => sum + mass_kg, 0) - 73) < 1e-9);
+    assert.ok(Math.abs(clip.bodyModel({ mass: 80 }).segments.reduce((sum, { mass_kg }) => sum + mass_kg, 0) - 80) < 1e-9);
+    assert.throws(() => clip.analyse({ quantities: ["angle:*"], mass: 80 }), { code: "invalid_argument" });
     assert.throws(() => clip.bodyModel({ body: "wood" }), { code: "invalid_argument" });
     assert.throws(() => clip.bodyModel({ mass: 0 }), { code: "invalid_argument" });
     clip.dispose();

@@ -9,7 +9,6 @@
 
 #include "core/biomechanics/analysis_update.h"
 #include "core/biomechanics/plausibility.h"
-#include "wasm/app/widgets.h"
 
 namespace marey::app {
 namespace {
@@ -18,18 +17,6 @@ namespace {
 constexpr double kManySamples = 40'000.0;
 constexpr double kUnitDoubt = 0.02;
 constexpr int kLeastFramesToJudge = 5;
-
-bool can_have(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
-  return quantity.owner == QuantityOwner::Point || !skeleton.node(node).is_end_site;
-}
-
-// The node of a name that a quantity can be of; kNoParent where there is none.
-NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::string_view name) {
-  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
-    if (can_have(skeleton, quantity, node) && node_label(skeleton, node) == name) return node;
-  }
-  return kNoParent;
-}
 
 bool needs_body(std::span<const AnalysisPlot> plots) {
   return std::any_of(plots.begin(), plots.end(), [](const AnalysisPlot& plot) { return plot.choice.quantity->needs_body; });
@@ -42,20 +29,6 @@ std::vector<AskedQuantity> asked_by(std::span<const AnalysisPlot> plots) {
     if (is_new && plot.problem.empty()) asked.push_back(plot.asked);
   }
   return asked;
-}
-
-// The body of the open clip where the figures are the same, else that of its table and mass, else what the other figure tells.
-std::optional<BodyModel> model_beside(const Clip& open, const Clip& other) {
-  const bool is_same = open.skeleton == other.skeleton;
-  BodyChoice choice = open.body;
-  if (!is_same) choice = {.table = open.body.table, .mass_kg = open.body.mass_kg};
-  const double unit = is_same ? open.settings.metres_per_unit : other.settings.metres_per_unit;
-  Result<ChosenBody> body = find_chosen_body(other.skeleton, choice, unit);
-  if (!body && !is_same) body = find_chosen_body(other);
-  if (body) return std::move(body->body.model);
-  BodyModel without_masses;
-  without_masses.metres_per_unit = unit;
-  return without_masses;
 }
 
 std::vector<Derivation> neighbours_of(const Derivation& derivation) {
@@ -192,48 +165,6 @@ void Analysis::add_bands(const Clip& clip, const AnalysisRequest& request) {
   }
 }
 
-// Plots of what the other figure does not have go without it.
-std::vector<std::vector<PlotLine>> Analysis::find_other_lines(const OtherClip& other, AnalysisRequest request) {
-  std::vector<std::vector<PlotLine>> lines(plots_.size());
-  const Clip& clip = other.clip;
-  request.contacts = clip.body.contacts;
-  for (std::size_t i = 0; i < plots_.size(); ++i) {
-    const AnalysisPlot& plot = plots_[i];
-    const NodeIndex node = plot.node == kNoParent ? kNoParent : find_owner(clip.skeleton, *plot.choice.quantity, plot.owner);
-    if (!plot.problem.empty() || (plot.node != kNoParent && node == kNoParent)) continue;
-    const Result<AskedQuantity> asked = ask_for(clip.skeleton, *plot.choice.quantity, node, plot.asked.point_m, plot.choice.frame);
-    if (!asked) continue;
-    request.asked = {*asked};
-    if (const Result<AnalysisTable> table = analyse(clip, request)) lines[i] = lines_of(*table, *asked);
-    else notes_.push_back(fmt::format("{}: {}", ui::displayable(other.file_name), table.error().message));
-  }
-  return lines;
-}
-
-// The lines follow only from what others_key_ and others_body_ have.
-void Analysis::add_others(const Clip& clip, AnalysisRequest request) {
-  const auto count = static_cast<std::size_t>(std::find(key_.others.begin(), key_.others.end(), nullptr) - key_.others.begin());
-  Key key = key_;
-  key.revision = 0;
-  key.arrows = {};
-  if (!(key == others_key_) || !(clip.body == others_body_) || other_lines_.size() != count) {
-    others_key_ = key;
-    others_body_ = clip.body;
-    other_lines_.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      request.model = model_beside(clip, key_.others[i]->clip);
-      other_lines_.push_back(find_other_lines(*key_.others[i], request));
-    }
-  }
-  for (std::size_t i = 0; i < plots_.size(); ++i) {
-    for (std::size_t other = 0; other < count; ++other) {
-      const double frames_per_frame = clip.motion.frame_time_s() / key_.others[other]->clip.motion.frame_time_s();
-      plots_[i].others.push_back(other_lines_[other][i]);
-      for (PlotLine& line : plots_[i].others.back()) line.values = at_other_times(line.values, frames_per_frame, clip.motion.frame_count());
-    }
-  }
-}
-
 void Analysis::follow_body(const Session& session, std::uint64_t clip_serial) {
   const std::uint64_t revision = session.document.revision();
   if (knows_body_ && body_clip_serial_ == clip_serial && body_revision_ == revision) return;
@@ -301,7 +232,7 @@ void Analysis::compute(const Session& session) {
   take_lines();
   if (key_.shows_raw) add_raw(clip, request);
   if (key_.shows_bands) add_bands(clip, request);
-  if (key_.others.front() != nullptr) add_others(clip, std::move(request));
+  compared_.add_to(plots_, session, request, wants_body && body_ ? &*body_ : nullptr, notes_);
 }
 
 void Analysis::take_contacts(const Clip& clip) {
@@ -348,10 +279,10 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
     return false;
   }
   const bool smooths = derivation.kind != DerivationKind::Central;
-  Key key{.clip_serial = clip_serial,
+  const Key key{.clip_serial = clip_serial,
                 .revision = session.document.revision(),
                 .choices = choices_serial_,
-                .others = {},
+                .others = shows_plots ? session.others_serial : 0,
                 .joint = shows_plots ? find_plotted_joint(session) : kNoParent,
                 .support = support,
                 .derivation = derivation,
@@ -359,7 +290,6 @@ bool Analysis::follow(const Session& session, std::uint64_t clip_serial, bool sh
                 .shows_raw = shows_plots && shows_raw && smooths,
                 .shows_bands = shows_plots && shows_bands,
                 .arrows = arrows};
-  for (int i = 0; shows_plots && i < std::min(size_of(session.others), kMostOtherClips); ++i) key.others[idx(i)] = session.others[idx(i)].get();
   if (known_ && !waits_ && key == key_) return false;
   const bool is_long = static_cast<double>(motion.samples().size()) > kManySamples;
   const bool is_as_before = known_ && key.clip_serial == key_.clip_serial && key.joint == key_.joint && key.choices == key_.choices &&

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -14,6 +13,7 @@
 #include "core/biomechanics/quantity.h"
 #include "core/document/session.h"
 #include "wasm/app/analysis_plot.h"
+#include "wasm/app/compared_clips.h"
 #include "wasm/app/contact_rows.h"
 #include "wasm/app/shown_arrows.h"
 
@@ -77,7 +77,7 @@ class Analysis {
     std::uint64_t clip_serial = 0;
     std::uint64_t revision = 0;
     std::uint64_t choices = 0;
-    std::array<const OtherClip*, kMostOtherClips> others{};
+    std::uint64_t others = 0;
     JointIndex joint = kNoParent;
     SupportKind support = SupportKind::Auto;
     Derivation derivation;
@@ -96,8 +96,6 @@ class Analysis {
   void add_raw(const Clip& clip, AnalysisRequest request);
   void add_bands(const Clip& clip, const AnalysisRequest& request);
   [[nodiscard]] std::vector<AnalysisRequest> variants_of(const Clip& clip, const AnalysisRequest& request) const;
-  void add_others(const Clip& clip, AnalysisRequest request);
-  [[nodiscard]] std::vector<std::vector<PlotLine>> find_other_lines(const OtherClip& other, AnalysisRequest request);
   void clear();
   void add_arrows(AnalysisRequest& request) const;
 
@@ -110,9 +108,7 @@ class Analysis {
   AnalysisRequest request_;         // what the table is the answer to
   int frame_count_ = 0;  // of the numbers
   std::vector<AnalysisPlot> plots_;
-  Key others_key_;  // what the lines of other clips follow from, without the open clip's samples
-  BodyChoice others_body_;
-  std::vector<std::vector<std::vector<PlotLine>>> other_lines_;  // of each other clip and plot, at the times of its own frames
+  ComparedClips compared_;
   AnalysisTable table_;
   std::vector<ContactRow> contacts_;
   std::vector<MotionEvent> events_;

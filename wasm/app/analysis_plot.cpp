@@ -27,7 +27,18 @@ const ShownUnit* find_unit(std::string_view unit) {
   return found == kShownUnits.end() ? nullptr : &*found;
 }
 
+bool can_have(const Skeleton& skeleton, const Quantity& quantity, NodeIndex node) {
+  return quantity.owner == QuantityOwner::Point || !skeleton.node(node).is_end_site;
+}
+
 }  // namespace
+
+NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::string_view name) {
+  for (NodeIndex node = 0; node < skeleton.node_count(); ++node) {
+    if (can_have(skeleton, quantity, node) && node_label(skeleton, node) == name) return node;
+  }
+  return kNoParent;
+}
 
 std::vector<PlotLine> lines_of(const AnalysisTable& table, const AskedQuantity& asked) {
   std::vector<PlotLine> lines;

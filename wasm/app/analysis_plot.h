@@ -33,6 +33,13 @@ struct PlotBand {
   std::vector<double> high;
 };
 
+/// The lines of a clip beside the open one.
+struct OtherLines {
+  std::vector<PlotLine> lines;  ///< at the times of the open clip's frames
+  std::vector<PlotLine> own;    ///< at its own
+  double frame_time_s = 1.0;    ///< its own
+};
+
 /// What is plotted, ready to be drawn: angles in degrees, everything else in SI.
 struct AnalysisPlot {
   PlotChoice choice;
@@ -47,7 +54,7 @@ struct AnalysisPlot {
   std::vector<PlotLine> lines;
   std::vector<PlotLine> raw;    ///< without smoothing, where that was asked for
   std::vector<PlotBand> bands;  ///< around the lines, where that was asked for
-  std::vector<std::vector<PlotLine>> others;  ///< of the clips beside the open one, in their order, at the times of its frames
+  std::vector<OtherLines> others;  ///< of the clips beside the open one, in their order
 
   /// "Joint torque [N·m]".
   [[nodiscard]] std::string title() const;
@@ -57,6 +64,8 @@ struct AnalysisPlot {
 [[nodiscard]] std::vector<PlotLine> lines_of(const AnalysisTable& table, const AskedQuantity& asked);
 /// The values at 0, step, 2 step ... frames, straight between two; not a number behind the last.
 [[nodiscard]] std::vector<double> at_other_times(std::span<const double> values, double step, int count);
+/// The node of a name that a quantity can be of; kNoParent where there is none.
+[[nodiscard]] NodeIndex find_owner(const Skeleton& skeleton, const Quantity& quantity, std::string_view name);
 /// Makes a band hold further values.
 void widen(PlotBand& band, std::span<const double> values);
 

@@ -132,7 +132,7 @@ json band_values(const std::vector<PlotBand>& bands, FrameIndex frame) {
 
 json other_values(const AnalysisPlot& plot, FrameIndex frame) {
   json values = json::array();
-  for (const auto& lines : plot.others) values.push_back(line_values(lines, frame));
+  for (const OtherLines& other : plot.others) values.push_back(line_values(other.lines, frame));
   return values;
 }
 

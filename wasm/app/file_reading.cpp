@@ -20,25 +20,26 @@ BvhClip figure_of(const Document& document) {
   return figure;
 }
 
-bool ends_in(std::string_view file_name, std::string_view extension) {
-  if (file_name.size() < extension.size()) return false;
-  const std::string_view end = file_name.substr(file_name.size() - extension.size());
+}  // namespace
+
+bool is_table(std::string_view file_name) {
+  constexpr std::string_view kExtension = ".csv";
+  if (file_name.size() < kExtension.size()) return false;
+  const std::string_view end = file_name.substr(file_name.size() - kExtension.size());
   for (std::size_t i = 0; i < end.size(); ++i) {
     const char lower = end[i] >= 'A' && end[i] <= 'Z' ? static_cast<char>(end[i] - 'A' + 'a') : end[i];
-    if (lower != extension[i]) return false;
+    if (lower != kExtension[i]) return false;
   }
   return true;
 }
 
-}  // namespace
-
-bool is_table(std::string_view file_name) { return ends_in(file_name, ".csv"); }
-
-bool is_body_model(std::string_view file_name) { return ends_in(file_name, ".json"); }
-
 Result<BodyModel> read_opened_model(std::string_view bytes, const Skeleton& skeleton) {
   const Result<nlohmann::json> json = read_json(bytes);
-  if (!json) return json.error();
+  if (!json) {
+    Error error = json.error();
+    error.message = "This is not valid JSON, which a model of the body is.";
+    return error;
+  }
   return read_body_model(*json, skeleton);
 }
 

@@ -12,9 +12,6 @@ namespace marey::app {
 /// Whether a file is a CSV table, by its name.
 [[nodiscard]] bool is_table(std::string_view file_name);
 
-/// Whether a file is a model of a body in JSON, by its name.
-[[nodiscard]] bool is_body_model(std::string_view file_name);
-
 /// Reads a model for the joints of a figure. Errors: what is no JSON, with its place, and those of read_body_model().
 [[nodiscard]] Result<BodyModel> read_opened_model(std::string_view bytes, const Skeleton& skeleton);
 

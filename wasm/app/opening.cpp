@@ -131,7 +131,6 @@ void show_news(Workspace& workspace) {
 
 Status begin_loading(Workspace& workspace, std::string file_name, std::int64_t size, FileUse use) {
   workspace.cancel_loading();
-  if (use == FileUse::Document && is_body_model(file_name)) use = FileUse::BodyModel;
   Status begun = with_memory_for(reading(file_name), [&]() -> Status {
     if (use == FileUse::OtherClip && !workspace.has_clip()) {
       return Error{DiagnosticCode::InvalidArgument, {}, "Open a file first; this one would stand beside it.", "", ""};

@@ -65,10 +65,13 @@ Result<marey::AnalysisTable> analyse(const marey::Clip& clip, std::string_view r
 
 // Without a table the masses that the clip tells by itself.
 Result<std::string> write_body(const marey::Clip& clip, std::string_view request_text) {
-  Result<std::optional<marey::BodyModel>> body = read_table_body(json::parse(request_text), clip);
+  const json read = json::parse(request_text);
+  Result<std::optional<marey::BodyModel>> body = read_table_body(read, clip);
   if (!body) return body.error();
   if (*body) return marey::write_body_model(**body, clip.skeleton);
-  const Result<marey::ChosenBody> chosen = marey::find_chosen_body(clip);
+  marey::BodyChoice choice;
+  if (read.contains("mass")) choice.mass_kg = read.at("mass").get<double>();
+  const Result<marey::ChosenBody> chosen = marey::find_chosen_body(clip.skeleton, choice, clip.settings.metres_per_unit);
   if (!chosen) return chosen.error();
   return marey::write_body_model(chosen->body.model, clip.skeleton);
 }

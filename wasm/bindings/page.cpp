@@ -97,12 +97,12 @@ EMSCRIPTEN_KEEPALIVE int marey_restore_context(PageBinding* binding) {
   return answer(*binding, [&] { return described(binding->page.restore_context()); });
 }
 
-/// A file by pieces. `size`: its bytes, 0 if nobody knows. `beside`: 1 if it is to stand beside the open one.
-EMSCRIPTEN_KEEPALIVE int marey_begin_loading(PageBinding* binding, const char* name, size_t name_size, double size, int beside) {
-  const auto use = beside != 0 ? marey::app::FileUse::OtherClip : marey::app::FileUse::Document;
+/// A file by pieces. `size`: its bytes, 0 if nobody knows. `use`: a FileUse.
+EMSCRIPTEN_KEEPALIVE int marey_begin_loading(PageBinding* binding, const char* name, size_t name_size, double size, int use) {
   return answer(*binding, [&] {
     marey::app::App& app = binding->page.app();
-    return described(app.begin_loading(std::string(view_of(name, name_size)), static_cast<std::int64_t>(size), use));
+    return described(app.begin_loading(std::string(view_of(name, name_size)), static_cast<std::int64_t>(size),
+                                       static_cast<marey::app::FileUse>(use)));
   });
 }
 

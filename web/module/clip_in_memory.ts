@@ -162,6 +162,7 @@ export class ClipInMemory implements Clip {
       }
     }
     checkMass(options.mass);
+    if (options.mass !== undefined && options.body === undefined) throw new MareyError("invalid_argument", 'A "mass" is for a "body".');
     const request = new TextEncoder().encode(JSON.stringify(options));
     return withMemory(() => {
       const done = withBytes(this.module, request, (address) => this.module._marey_clip_analyse(handle, address, request.length));

@@ -144,7 +144,7 @@ export interface BodyModel {
 
 export interface BodyModelOptions {
   body?: "deleva-male" | "deleva-female" | "winter" | "rods";
-  /** Of the body, in kg, beside `body`; by default that of the table's average subject. */
+  /** Of the body, in kg; by default that of the table's average subject. */
   mass?: number;
 }
 

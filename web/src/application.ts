@@ -6,6 +6,7 @@ import { watchContext } from "./context_watch";
 import { MareyError } from "../module/marey_error";
 import { type FailureKind, type Rescue, showFailure } from "./failure";
 import { FileLoader } from "./file_loader";
+import { type FileUse, fileUse, usualUse } from "./file_use";
 import { type FileSource, sourceOf, sourceOfResponse } from "./file_source";
 import { Files } from "./files";
 import { FrameLoop } from "./frame_loop";
@@ -20,9 +21,6 @@ import { TextField } from "./text_field";
 
 /** Shown when the page's address asks for nothing else. */
 const firstSample = "walk";
-
-/** A model of the body, which gives the open clip masses and does not take its place. */
-const isBodyModel = (name: string): boolean => /\.json$/i.test(name);
 
 /** The started page: the program and everything that feeds it. */
 export class Application {
@@ -49,7 +47,8 @@ export class Application {
     const host = new PageHost({
       canvas: this.canvas,
       wake: () => this.loop.request(),
-      askForFile: (beside) => this.files.ask((name, data) => void this.tryToOpen(name, sourceOf(data), beside)),
+      askForFile: (use) => this.files.ask((name, data) =>
+        void this.tryToOpen(name, sourceOf(data), use === fileUse.document ? usualUse(name) : use)),
       loadSample: (id) => void this.loadSample(id),
       stopLoading: () => this.loader.stop(),
       forgetLetters: () => {
@@ -87,13 +86,13 @@ export class Application {
   }
 
   /**
-   * Reads a file and opens it, or puts it beside the open one. Throws a MareyError when it is refused; the program shows it
+   * Reads a file for what it is to be used for. Throws a MareyError when it is refused; the program shows it
    * too.
    */
-  async open(name: string, source: FileSource, beside = false): Promise<void> {
+  async open(name: string, source: FileSource, use = usualUse(name)): Promise<void> {
     try {
-      await this.loader.load(name, source, beside);
-      if (!beside && !isBodyModel(name)) this.opened = { name, source };
+      await this.loader.load(name, source, use);
+      if (use === fileUse.document) this.opened = { name, source };
     } catch (error) {
       if (!(error instanceof MareyError)) this.fail("stopped", error);
       throw error;
@@ -172,9 +171,9 @@ export class Application {
     }
   }
 
-  private async tryToOpen(name: string, source: FileSource, beside = false): Promise<void> {
+  private async tryToOpen(name: string, source: FileSource, use?: FileUse): Promise<void> {
     try {
-      await this.open(name, source, beside);
+      await this.open(name, source, use);
     } catch (error) {
       // The program says why it refused a file; it does not hear of one that does not come, or for which there is no room.
       if (!(error instanceof MareyError)) return;

@@ -15,7 +15,7 @@ declare module "marey-app" {
     _marey_forget_letters(page: number): void;
     _marey_lose_context(page: number): void;
     _marey_restore_context(page: number): number;
-    _marey_begin_loading(page: number, name: number, nameSize: number, size: number, beside: number): number;
+    _marey_begin_loading(page: number, name: number, nameSize: number, size: number, use: number): number;
     _marey_piece(page: number, size: number): number;
     _marey_feed(page: number, size: number): number;
     _marey_finish_loading(page: number): number;

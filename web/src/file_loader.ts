@@ -1,5 +1,6 @@
 import { MareyError } from "../module/marey_error";
 import type { FileSource } from "./file_source";
+import type { FileUse } from "./file_use";
 import type { FrameLoop } from "./frame_loop";
 import type { Program } from "./program";
 
@@ -36,13 +37,13 @@ export class FileLoader {
   }
 
   /**
-   * Reads a file and opens it, or puts it beside the open one. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
+   * Reads a file for what it is to be used for. Throws a MareyError when it is refused, was stopped ("cancelled"), or cannot be read to its
    * end ("not_loaded"); what was open before then stays.
    */
-  async load(name: string, source: FileSource, beside: boolean): Promise<void> {
+  async load(name: string, source: FileSource, use: FileUse): Promise<void> {
     const program = this.program();
     this.stop();
-    program.beginLoading(name, source.size, beside);
+    program.beginLoading(name, source.size, use);
     const { signal } = (this.running = new AbortController());
     this.loop.request();
     try {

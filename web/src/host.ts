@@ -1,7 +1,8 @@
+import type { FileUse } from "./file_use";
+
 /** What the program asks of the page; web/host_library.js calls it. */
 export interface Host {
-  /** `beside`: for a clip that is to stand beside the open one. */
-  askForFile(beside: boolean): void;
+  askForFile(use: FileUse): void;
   download(name: string, bytes: Uint8Array): void;
   /** A drawing in SVG, as a PNG so many pixels wide. */
   downloadPicture(name: string, svg: string, pixelWidth: number): void;

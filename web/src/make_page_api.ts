@@ -1,19 +1,20 @@
 import type { Application } from "./application";
 import { sourceOf } from "./file_source";
+import { type FileUse, fileUse } from "./file_use";
 import type { CommandInfo, Item, PageApi, State } from "./page_api";
 
 /** `window.marey`. What is called before the page has started waits, or throws where it must answer at once. */
 export function makePageApi(application: Application, ready: Promise<void>, started: Promise<void>): PageApi {
-  const open = async (name: string, data: string | Uint8Array | ArrayBuffer | Blob, beside: boolean): Promise<State> => {
+  const open = async (name: string, data: string | Uint8Array | ArrayBuffer | Blob, use?: FileUse): Promise<State> => {
     await started;
-    await application.open(name, sourceOf(new Blob([data as BlobPart])), beside);
+    await application.open(name, sourceOf(new Blob([data as BlobPart])), use);
     application.loop.drawNow();
     return application.state();
   };
   return {
     ready,
-    open: (name, data) => open(name, data, false),
-    openOther: (name, data) => open(name, data, true),
+    open: (name, data) => open(name, data),
+    openOther: (name, data) => open(name, data, fileUse.otherClip),
     save: () => application.program.save(),
     state: () => application.state(),
     commands: () => application.program.commands() as CommandInfo[],

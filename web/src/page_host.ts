@@ -1,5 +1,6 @@
 import { copyText } from "./clipboard";
 import { decodeLetters } from "./double_byte";
+import type { FileUse } from "./file_use";
 import { download } from "./files";
 import { showNotice } from "./notice";
 import { paintPicture } from "./picture";
@@ -12,7 +13,7 @@ export interface PageParts {
   canvas: HTMLCanvasElement;
   /** Asks for a frame. */
   wake(): void;
-  askForFile(beside: boolean): void;
+  askForFile(use: FileUse): void;
   loadSample(id: string): void;
   stopLoading(): void;
   /** A font has come that letters were waiting for. */
@@ -43,8 +44,8 @@ export class PageHost implements Host {
     });
   }
 
-  askForFile(beside: boolean): void {
-    this.parts.askForFile(beside);
+  askForFile(use: FileUse): void {
+    this.parts.askForFile(use);
   }
 
   download(name: string, bytes: Uint8Array<ArrayBuffer>): void {

@@ -1,4 +1,5 @@
 import type { EmscriptenModule } from "marey-app";
+import type { FileUse } from "./file_use";
 import { MareyError } from "../module/marey_error";
 
 export type FontRole = "text" | "semibold" | "mono" | "icons";
@@ -71,12 +72,12 @@ export class Program {
   }
 
   /**
-   * Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. `beside`: it is not
-   * opened but stands beside the open one.
+   * Begins to read a file of `size` bytes, 0 if nobody knows; one that is still being read is given up. `use`: what
+   * it is read for.
    */
-  beginLoading(name: string, size: number, beside: boolean): void {
+  beginLoading(name: string, size: number, use: FileUse): void {
     this.check(this.withBytes([encode(name)], (nameAt, nameSize) =>
-      this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size, beside ? 1 : 0)));
+      this.module._marey_begin_loading(this.page, nameAt!, nameSize!, size, use)));
   }
 
   /** Reads the next bytes. False when no more are wanted: finishLoading() says why. */

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/editing/body_carrying.h"
 #include "core/editing/name_match.h"
 #include "core/editing/operations/families.h"
 #include "core/editing/operations/figure_edit.h"
@@ -83,7 +84,11 @@ Outcome make_scale_figure(const OperationCall& call) {
   if (call.yes("unit")) {
     outcome.edit.settings = call.clip.settings;
     outcome.edit.settings->metres_per_unit /= factor;
+    return outcome;
   }
+  BodyChoice body = call.clip.body;
+  scale_own_segments(body, factor);
+  if (!(body == call.clip.body)) outcome.edit.body = std::move(body);
   return outcome;
 }
 

@@ -33,6 +33,14 @@ class BodyPageTest : public testing::Test {
     stage_.press(ImGuiKey_Enter);
     stage_.settle();
   }
+  Status open_model(const std::string& text) {
+    App& app = stage_.app();
+    if (Status begun = app.begin_loading("model.json", 0, FileUse::BodyModel); !begun) return begun;
+    app.feed_loading(text);
+    const Status status = app.finish_loading();
+    stage_.settle();
+    return status;
+  }
   [[nodiscard]] const Clip& clip() { return stage_.app().session().document.clip(); }
   [[nodiscard]] Segment segment(JointIndex joint) { return *find_whole_segment(find_chosen_body(clip())->body.model, joint); }
 
@@ -96,6 +104,17 @@ TEST_F(BodyPageTest, OwnValuesBeginWithThoseOfTheTable) {
   EXPECT_EQ(clip().body, BodyChoice{});
 }
 
+TEST_F(BodyPageTest, AnotherMassOfTheBodyKeepsWhatWasTypedIn) {
+  type_into("body.centre.0", "0.05");
+  const Segment trunk = segment(1);
+  const double legs = segment(2).mass_kg;
+  type_into("body.mass", "146");
+  EXPECT_NEAR(find_chosen_body(clip())->mass_kg, 146.0, 1e-9);
+  EXPECT_EQ(segment(1).com_m, trunk.com_m);
+  EXPECT_NEAR(segment(1).inertia_kgm2[0][0], 2.0 * trunk.inertia_kgm2[0][0], 1e-9);
+  EXPECT_NEAR(segment(2).mass_kg, 2.0 * legs, 1e-9);
+}
+
 TEST_F(BodyPageTest, GravityIsAnEdit) {
   type_into("body.gravity", "1.62");
   EXPECT_EQ(clip().body.gravity_mps2, glm::dvec3(0.0, -1.62, 0.0));
@@ -112,8 +131,9 @@ TEST_F(BodyPageTest, OpensAModelThatItSaved) {
   const std::string text = stage_.log().downloads.back().second;
   stage_.open_sample("giant-swing");
   stage_.settle();
-  ASSERT_TRUE(stage_.open_text("Gymnast.JSON", text));
-  stage_.settle();
+  stage_.app().run_command("analysis.open_model", nullptr);
+  EXPECT_EQ(stage_.log().model_requests, 1);
+  ASSERT_TRUE(open_model(text));
   EXPECT_EQ(stage_.state()["undoName"], "Open a model of the body");
   EXPECT_EQ(stage_.state()["file"], "giant-swing.bvh") << "the clip stays";
   const BodyModel opened = find_chosen_body(clip())->body.model;
@@ -126,16 +146,16 @@ TEST_F(BodyPageTest, OpensAModelThatItSaved) {
 }
 
 TEST_F(BodyPageTest, AModelThatDoesNotFitChangesNothing) {
-  const Status no_json = stage_.open_text("model.json", "{\n  \"segments\": [,]\n}");
+  const Status no_json = open_model("{\n  \"segments\": [,]\n}");
   ASSERT_FALSE(no_json);
   EXPECT_EQ(no_json.error().place, (TextPlace{2, 16}));
-  const Status stranger = stage_.open_text("model.json", R"({"segments": [{"joint": "Tail", "mass_kg": 1, "com_m": [0, 0, 0]}]})");
+  const Status stranger = open_model(R"({"segments": [{"joint": "Tail", "mass_kg": 1, "com_m": [0, 0, 0]}]})");
   ASSERT_FALSE(stranger);
   EXPECT_THAT(stranger.error().message, HasSubstr("'Tail'"));
   EXPECT_EQ(clip().body, BodyChoice{});
   EXPECT_EQ(stage_.state()["file"], "giant-swing.bvh");
   AppStage empty;
-  EXPECT_FALSE(empty.open_text("model.json", R"({"segments": []})"));
+  EXPECT_FALSE(empty.app().begin_loading("model.json", 0, FileUse::BodyModel));
 }
 
 }  // namespace

@@ -76,6 +76,38 @@ TEST_F(OtherClipsTest, HaveTheBodyOfTheOpenOneWhereTheFigureIsTheSame) {
   EXPECT_EQ(plots()[3]["others"][0], plots()[3]["values"]);
 }
 
+TEST_F(OtherClipsTest, HaveTheUnitOfTheOpenOneWhereTheFigureIsTheSame) {
+  stage_.app().run_command("analysis.plots", {{"quantities", {"position:Legs", "torque"}}});
+  read_beside("same.bvh", text_);
+  ClipSettings settings = clip().settings;
+  settings.metres_per_unit *= 2.0;
+  ASSERT_TRUE(stage_.app().session().apply(make_settings_edit(clip(), settings)));
+  stage_.settle();
+  EXPECT_EQ(plots()[0]["others"][0], plots()[0]["values"]);
+  EXPECT_EQ(plots()[1]["others"][0], plots()[1]["values"]);
+}
+
+// Another figure: the same mass by the same table, under the same gravity.
+TEST_F(OtherClipsTest, WeighAsMuchAsTheOpenOneWhereTheFigureIsAnother) {
+  stage_.app().run_command("analysis.plots", {{"quantities", {"com", "potential_energy"}}});
+  std::string other = text_;
+  other.replace(other.find("Legs"), 4, "Shanks");
+  BodyChoice body = choose_model(clip().body, find_chosen_body(clip())->body.model);
+  body.segments[0].mass_kg = 50.0;
+  body.gravity_mps2 = glm::dvec3(0.0, -1.62, 0.0);
+  ASSERT_TRUE(stage_.app().session().apply(make_body_edit(clip(), body)));
+  read_beside("other.bvh", other);
+  EXPECT_NE(plots()[1]["others"][0], plots()[1]["values"]);
+  const Clip& beside = stage_.app().session().others[0]->clip;
+  BodyChoice expected;
+  expected.mass_kg = find_chosen_body(clip())->mass_kg;
+  expected.gravity_mps2 = body.gravity_mps2;
+  AnalysisRequest request;
+  request.quantities = {"potential_energy"};
+  request.model = find_chosen_body(beside.skeleton, expected, beside.settings.metres_per_unit)->body.model;
+  EXPECT_NEAR(plots()[1]["others"][0]["value"].get<double>(), analyse(beside, request)->columns[0].values[7], 1e-9);
+}
+
 TEST_F(OtherClipsTest, AreTakenAwayOneByOne) {
   for (const char* name : {"a.bvh", "b.bvh", "c.bvh", "d.bvh", "e.bvh"}) read_beside(name, text_);
   EXPECT_THAT(stage_.state()["otherFiles"], ElementsAre("b.bvh", "c.bvh", "d.bvh", "e.bvh"));
@@ -91,6 +123,34 @@ TEST_F(OtherClipsTest, AreTakenAwayOneByOne) {
   }
   EXPECT_FALSE(stage_.shows("plots.other.0"));
   EXPECT_TRUE(plots()[0]["others"].empty());
+}
+
+// One is read after the other was taken away, perhaps into the same memory.
+TEST_F(OtherClipsTest, AreNotTakenForOneThatIsGone) {
+  for (int i = 0; i < 4; ++i) {
+    read_beside("same.bvh", text_);
+    EXPECT_EQ(plots()[0]["others"][0], plots()[0]["values"]);
+    stage_.click("plots.other.0.remove");
+    stage_.settle();
+    read_beside("slow.bvh", with_frame_time("0.066666"));
+    EXPECT_NE(plots()[0]["others"][0], plots()[0]["values"]);
+    stage_.click("plots.other.0.remove");
+    stage_.settle();
+  }
+}
+
+// Three times the frame rate, so that two of three frames lie between those of the open clip.
+TEST_F(OtherClipsTest, AreMeasuredByTheirOwnFrames) {
+  stage_.app().run_command("analysis.plots", {{"quantities", {"angle"}}});
+  read_beside("quick.bvh", with_frame_time("0.011111"));
+  stage_.click("plots.mode");
+  stage_.settle();
+  stage_.click("plots.mode.statistics");
+  stage_.settle();
+  const auto angle = clip().motion.channel_samples(clip().skeleton.first_channel(1));
+  const std::size_t components = plots()[0]["values"].size();
+  const std::string highest = std::to_string(2 * components - 1);
+  EXPECT_EQ(stage_.item("plots.statistics." + highest + ".highest").label, value_text(*std::max_element(angle.begin(), angle.end())).view());
 }
 
 TEST_F(OtherClipsTest, AreInTheStatisticsAndInTheDrawingForPrint) {

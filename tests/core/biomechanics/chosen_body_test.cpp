@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -107,7 +108,21 @@ TEST(OwnSegments, KeepTheirShapeWithAnotherMass) {
   const OwnSegment heavier{0, 6.0, OwnShape{{0.0, 0.1, 0.0}, {1.5, 3.0, 4.5, 0.0, 0.0, 0.75}}};
   EXPECT_THAT(clip.body.segments, testing::ElementsAre(heavier, OwnSegment{1, 20.0, {}}));
   clip.body = with_segment_mass(clip, 0, 0.0);
-  EXPECT_EQ(clip.body.segments[0].shape, heavier.shape);
+  EXPECT_EQ(clip.body.segments[0].shape, (OwnShape{heavier.shape->com_m, {}})) << "nothing that could turn";
+  clip.body = with_segment_mass(clip, 0, 6.0);
+  EXPECT_EQ(clip.body.segments[0], (OwnSegment{0, 6.0, {}})) << "the table's shape again";
+}
+
+// A mass that was typed in where another table gives none.
+TEST(OwnSegments, AreRodsWhereAMassAloneTellsNothing) {
+  Clip clip = make_gymnast();
+  clip.body.is_only_own = true;
+  clip.body.segments = {{1, 3.0, {}}, {2, 4.0, OwnShape{}}};
+  EXPECT_EQ(find_chosen_body(clip)->own_count, 1);
+  clip.body = with_segment_mass(clip, 1, 5.0);
+  EXPECT_TRUE(clip.body.segments[0].shape);
+  EXPECT_EQ(find_chosen_body(clip)->mass_kg, 9.0);
+  EXPECT_EQ(find_chosen_body(clip)->own_count, 2);
 }
 
 // A third of the mass times the square of the length about the end.
@@ -140,6 +155,16 @@ TEST(OwnSegments, ShareOutTheMassOfTheBody) {
     EXPECT_NEAR(b.inertia_kgm2[0][0], 2.0 * a.inertia_kgm2[0][0], 1e-9);
     EXPECT_EQ(b.com_m, a.com_m);
   }
+}
+
+// A rod has no moment about itself, and rounding may leave less than nothing.
+TEST(BodyModelCheck, HasRoomForRounding) {
+  const Skeleton skeleton = make_gymnast().skeleton;
+  BodyModel model;
+  model.segments = {{0, 1.0, {}, symmetric_tensor(std::array{0.3, -1e-18, 0.3, 0.0, 0.0, 0.0})}};
+  EXPECT_TRUE(check_body_model(model, skeleton));
+  model.segments[0].inertia_kgm2[1][1] = -1e-6;
+  EXPECT_FALSE(check_body_model(model, skeleton));
 }
 
 // Two segments on a joint move as one with their mass, centre and tensor.

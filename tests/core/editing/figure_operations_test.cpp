@@ -153,6 +153,18 @@ TEST(UpAxis, TurnsOwnSegments) {
   EXPECT_EQ(after(turned, "up-axis", {{"to", 1.0}}).body, clip.body);
 }
 
+TEST(ScaleFigure, ScalesOwnSegments) {
+  Random random(66);
+  Clip clip = make_chain(random, 5);
+  clip.body = choose_model({}, make_random_model(clip.skeleton, 8));
+  const Segment before = find_chosen_body(clip)->body.model.segments[1];
+  const Segment bigger = find_chosen_body(after(clip, "scale-figure", {{"factor", 2.0}}))->body.model.segments[1];
+  EXPECT_EQ(bigger.com_m, 2.0 * before.com_m);
+  EXPECT_EQ(bigger.inertia_kgm2, 4.0 * before.inertia_kgm2);
+  EXPECT_EQ(bigger.mass_kg, before.mass_kg);
+  EXPECT_EQ(after(clip, "scale-figure", {{"factor", 2.0}, {"unit", 1.0}}).body, clip.body) << "as large as before, in other units";
+}
+
 TEST(RestPose, IsRefusedWhereAHingeWouldHaveToTurn) {
   const Clip clip = make_figure(10);
   const auto refused = with_texts(clip, "rest-pose", whole_clip(clip), {});

@@ -10,7 +10,8 @@ HeadlessLog& headless_log() {
 }
 
 void Backend::ask_for_file(FileUse use) {
-  ++(use == FileUse::OtherClip ? headless_log().other_requests : headless_log().file_requests);
+  HeadlessLog& log = headless_log();
+  ++(use == FileUse::OtherClip ? log.other_requests : use == FileUse::BodyModel ? log.model_requests : log.file_requests);
 }
 
 void Backend::download(std::string_view file_name, std::string_view bytes) {

@@ -12,6 +12,7 @@ namespace marey::app {
 struct HeadlessLog {
   int file_requests = 0;
   int other_requests = 0;  ///< for a clip beside the open one
+  int model_requests = 0;
   int stopped_loadings = 0;
   std::vector<std::pair<std::string, std::string>> downloads;  ///< name, bytes
   std::vector<std::string> samples;

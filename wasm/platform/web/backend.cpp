@@ -8,7 +8,7 @@
 
 namespace marey::app {
 
-void Backend::ask_for_file(FileUse use) { marey_host_ask_for_file(use == FileUse::OtherClip ? 1 : 0); }
+void Backend::ask_for_file(FileUse use) { marey_host_ask_for_file(static_cast<int>(use)); }
 
 void Backend::download(std::string_view file_name, std::string_view bytes) {
   marey_host_download(file_name.data(), file_name.size(), bytes.data(), bytes.size());

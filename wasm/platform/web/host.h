@@ -9,8 +9,8 @@ enum class MareyLetters : int { Gbk = 0, ShiftJis = 1 };
 /// (web/src/host.ts). Text is UTF-8, given by its address and its size in bytes, and is only valid during the call.
 /// What the JavaScript throws comes back as a std::runtime_error with its words.
 extern "C" {
-/// `beside`: 1 for a clip that is to stand beside the open one.
-void marey_host_ask_for_file(int beside);
+/// `use`: a FileUse.
+void marey_host_ask_for_file(int use);
 void marey_host_download(const char* name, size_t name_size, const char* bytes, size_t byte_count);
 void marey_host_download_picture(const char* name, size_t name_size, const char* svg, size_t svg_size, int pixel_width);
 void marey_host_load_sample(const char* id, size_t id_size);

@@ -99,7 +99,7 @@ void add_model_commands(CommandRegistry& registry, Workspace& workspace) {
                 .help = "Reads masses, centres and inertias of the segments from a JSON file, which \"Save model\" and marey analyse write.",
                 .icon = icons::kFolderOpen,
                 .run = [&workspace](const json&) -> json {
-                  workspace.backend.ask_for_file();
+                  workspace.backend.ask_for_file(FileUse::BodyModel);
                   return nullptr;
                 },
                 .blocked = [&workspace] { return needs_whole_clip(workspace); }});

@@ -49,8 +49,10 @@ Options derivation_options() {
 // Own values begin with those that the body has.
 BodyChoice without_table(const Clip& clip) {
   const Result<ChosenBody> body = find_chosen_body(clip);
-  BodyChoice choice = body ? choose_model(clip.body, body->body.model) : clip.body;
+  if (body) return choose_model(clip.body, body->body.model);
+  BodyChoice choice = clip.body;
   choice.is_only_own = true;
+  std::erase_if(choice.segments, [](const OwnSegment& own) { return !own.shape; });
   return choice;
 }
 
@@ -72,7 +74,7 @@ void draw_table(ViewContext& context) {
 
 void draw_mass(ViewContext& context, double mass_kg) {
   const float width = inspector::begin_row(context, "Mass");
-  const auto result = ui::number_field(context, "body.mass", "Mass of the body, shared out among the segments anew", mass_kg,
+  const auto result = ui::number_field(context, "body.mass", "Mass of the body; the segments keep their shares", mass_kg,
                                        {.unit = "kg", .decimals = 1, .step = 0.1, .low = 0.001, .high = 1e4, .width = width});
   apply_number(context, result, [&](const Clip& clip) { return make_body_edit(clip, with_body_mass(clip, result.value)); });
   inspector::end_row();

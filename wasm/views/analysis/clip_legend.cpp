@@ -25,7 +25,8 @@ class Legend {
 
   // A line as the plots draw it, a name, and room for what comes behind it.
   void add(std::string_view name, float width, Dashes dashes, float behind) {
-    const float name_width = std::min(ImGui::CalcTextSize(name.data(), name.data() + name.size()).x, kMostName);
+    const float most = std::min(kMostName, right_ - min_.x - kInset - kLine - 2.0f * kGap - behind);
+    const float name_width = std::min(ImGui::CalcTextSize(name.data(), name.data() + name.size()).x, most);
     const float needs = kLine + kGap + name_width + kGap + behind;
     if (at_.x + needs > right_ && at_.x > min_.x + kInset) at_ = {min_.x + kInset, at_.y + row_};
     const float middle = std::round(at_.y + 0.5f * row_) + 0.5f;
@@ -55,16 +56,16 @@ float draw_clip_legend(ViewContext& context, ImVec2 min, float width) {
   if (session.others.empty()) return 0.0f;
   Legend legend(context, min, width);
   legend.add(ui::displayable(session.document.file_name()), 1.75f, {}, 0.0f);
-  std::optional<std::size_t> removed;
+  std::optional<int> removed;
   for (std::size_t i = 0; i < session.others.size(); ++i) {
     const std::string name = ui::displayable(session.others[i]->file_name);
     legend.add(name, 1.25f, dashes_of(i), ImGui::GetFrameHeight());
     context.items.add_last(SmallText("plots.other.{}", i), name);
     ImGui::SetCursorScreenPos(legend.behind());
-    if (ui::icon_button(context, SmallText("plots.other.{}.remove", i).c_str(), icons::kX, "Take away. The file is not changed.")) removed = i;
+    if (ui::icon_button(context, SmallText("plots.other.{}.remove", i).c_str(), icons::kX, "Take away. The file is not changed.")) removed = static_cast<int>(i);
   }
   if (removed) {
-    session.others.erase(session.others.begin() + static_cast<std::ptrdiff_t>(*removed));
+    session.take_away(*removed);
     context.redraw = true;
   }
   return legend.height();

@@ -74,7 +74,7 @@ void PlotRow::follow(const AnalysisPlot& plot, std::uint64_t serial) {
   };
   add(plot.lines, true);
   add(plot.raw, false);
-  for (const std::vector<PlotLine>& other : plot.others) add(other, true);
+  for (const OtherLines& other : plot.others) add(other.lines, true);
 }
 
 void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const {
@@ -100,15 +100,13 @@ void PlotRow::draw_ground(ViewContext& context, const AnalysisPlot& plot) const 
   list.PopClipRect();
 }
 
-void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width, Dashes dashes) {
+void PlotRow::add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width) {
   if (!dense_) {
     shape_.build(line.values, context.time_window, axis_);
-    shape_.draw(*ImGui::GetWindowDrawList(), color, width, dashes);
+    shape_.draw(*ImGui::GetWindowDrawList(), color, width);
     return;
   }
-  extents_.resize(idx(columns_.count));
-  compute_column_extents(pyramids_[number], line.values, columns_, extents_);
-  band_.build(extents_, columns_, context.time_window, axis_);
+  build_band(context, line, number);
   band_.add_to(batch_, color, width);
 }
 
@@ -135,23 +133,44 @@ void PlotRow::draw_bands(ViewContext& context, const AnalysisPlot& plot) const {
   list.Flags = flags;
 }
 
+// Dashes follow a line: where there are several samples to a pixel, that through the middle of each column.
+void PlotRow::draw_others(ViewContext& context, const AnalysisPlot& plot) {
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  std::size_t number = plot.lines.size() + plot.raw.size();
+  for (std::size_t other = 0; other < plot.others.size(); ++other) {
+    for (const PlotLine& line : plot.others[other].lines) {
+      const ImU32 color = with_alpha(component_color(context.theme, line.component), kOtherAlpha);
+      if (dense_) {
+        build_band(context, line, number);
+        band_.draw_middle(list, color, kOtherWidth, dashes_of(other));
+      } else {
+        shape_.build(line.values, context.time_window, axis_);
+        shape_.draw(list, color, kOtherWidth, dashes_of(other));
+      }
+      ++number;
+    }
+  }
+}
+
+void PlotRow::build_band(const ViewContext& context, const PlotLine& line, std::size_t number) {
+  extents_.resize(idx(columns_.count));
+  compute_column_extents(pyramids_[number], line.values, columns_, extents_);
+  band_.build(extents_, columns_, context.time_window, axis_);
+}
+
 void PlotRow::draw_lines(ViewContext& context, const AnalysisPlot& plot) {
   const Theme& theme = context.theme;
   columns_ = visible_columns(context.time_window, context.session.document.motion().frame_count());
   dense_ = columns_.frames_per_column >= kDenseSamplesPerColumn;
   const float width = context.options.projector ? kProjectorWidth : kLineWidth;
   const Look look{serial_, context.time_window, axis_, {theme.axis[0], theme.axis[1], theme.axis[2], theme.accent, theme.ghost}, width};
+  draw_others(context, plot);
   const bool is_same = dense_ && look == look_;
   look_ = look;
   if (!is_same) {
     if (dense_) batch_.begin();
     std::size_t number = plot.lines.size();
     for (const PlotLine& line : plot.raw) add_line(context, line, number++, theme.ghost, kThinWidth);
-    for (std::size_t other = 0; other < plot.others.size(); ++other) {
-      for (const PlotLine& line : plot.others[other]) {
-        add_line(context, line, number++, with_alpha(component_color(theme, line.component), kOtherAlpha), kOtherWidth, dashes_of(other));
-      }
-    }
     number = 0;
     for (const PlotLine& line : plot.lines) add_line(context, line, number++, component_color(theme, line.component), width);
     if (dense_) batch_.finish();

@@ -35,7 +35,9 @@ class PlotRow {
   void draw_ground(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_bands(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_lines(ViewContext& context, const AnalysisPlot& plot);
-  void add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width, Dashes dashes = {});
+  void add_line(ViewContext& context, const PlotLine& line, std::size_t number, ImU32 color, float width);
+  void build_band(const ViewContext& context, const PlotLine& line, std::size_t number);
+  void draw_others(ViewContext& context, const AnalysisPlot& plot);
   void draw_ends(ViewContext& context, const AnalysisPlot& plot) const;
   void draw_cursor(ViewContext& context, const AnalysisPlot& plot) const;
   void handle_input(ViewContext& context, const AnalysisPlot& plot, int index) const;

@@ -136,7 +136,7 @@ void PictureWriter::add_plot(const Panel& panel, const AnalysisPlot& plot) {
   for (const PlotLine& line : plot.raw) add_line(panel, line, " stroke=\"#9ba4b0\" stroke-width=\"0.8\"");
   for (std::size_t other = 0; other < plot.others.size(); ++other) {
     const std::string style = dash_style(other);
-    for (const PlotLine& line : plot.others[other]) add_line(panel, line, fmt::format(" stroke=\"{}\"{}", color_of(line.component), style));
+    for (const PlotLine& line : plot.others[other].lines) add_line(panel, line, fmt::format(" stroke=\"{}\"{}", color_of(line.component), style));
   }
   for (const PlotLine& line : plot.lines) add_line(panel, line, fmt::format(" stroke=\"{}\" stroke-width=\"1.4\"", color_of(line.component)));
   text += "</g>\n";
@@ -151,10 +151,14 @@ void PictureWriter::add_plot(const Panel& panel, const AnalysisPlot& plot) {
 
 ValueAxis fitted_axis(const AnalysisPlot& plot, FrameRange frames) {
   ValueRange range;
-  for (const PlotLine& line : plot.lines) {
-    const int end = std::min(frames.end(), size_of(line.values));
-    for (FrameIndex frame = frames.first; frame < end; ++frame) range.add(line.values[idx(frame)]);
-  }
+  const auto add = [&](const std::vector<PlotLine>& lines) {
+    for (const PlotLine& line : lines) {
+      const int end = std::min(frames.end(), size_of(line.values));
+      for (FrameIndex frame = frames.first; frame < end; ++frame) range.add(line.values[idx(frame)]);
+    }
+  };
+  add(plot.lines);
+  for (const OtherLines& other : plot.others) add(other.lines);
   ValueAxis axis;
   if (!range.empty) axis.fit(range.low, range.high, 1e-3 + 1e-6 * std::max(std::abs(range.low), std::abs(range.high)));
   return axis;

@@ -66,9 +66,9 @@ const PlotLine& partner_of(const PlotLine& line, const std::vector<PlotLine>& fi
 std::vector<PlotCurve> curves_against(const ViewContext& context, const AnalysisPlot& plot, const AnalysisPlot& first) {
   std::vector<PlotCurve> curves;
   for (std::size_t other = 0; other < std::min(plot.others.size(), first.others.size()); ++other) {
-    if (first.others[other].empty()) continue;
-    for (const PlotLine& line : plot.others[other]) {
-      const PlotLine& along = partner_of(line, first.others[other]);
+    if (first.others[other].lines.empty()) continue;
+    for (const PlotLine& line : plot.others[other].lines) {
+      const PlotLine& along = partner_of(line, first.others[other].lines);
       curves.push_back({along.values, line.values, with_alpha(component_color(context.theme, line.component), 0.8f), 1.25f, dashes_of(other)});
     }
   }
@@ -225,8 +225,8 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
   }
   ValueRange range;
   for (const PlotLine& line : plots[0].lines) range.add(line.values);
-  for (const std::vector<PlotLine>& other : plots[0].others) {
-    for (const PlotLine& line : other) range.add(line.values);
+  for (const OtherLines& other : plots[0].others) {
+    for (const PlotLine& line : other.lines) range.add(line.values);
   }
   const double margin = 0.04 * std::max(range.high - range.low, 1e-9);
   const FrameIndex frame = context.session.playback.frame();
@@ -266,6 +266,7 @@ void PlotsView::draw(ViewContext& context, ImVec2 min, ImVec2 max, float pages_w
     return;
   }
   top.y += draw_clip_legend(context, top, max.x - min.x);
+  if (max.y - top.y < kLeastRowHeight) return;
   switch (context.options.plot_mode) {
     case PlotMode::OverTime: {
       const float height = contacts_.draw(context, top, {max.x, top.y + kContactsShare * (max.y - top.y)});

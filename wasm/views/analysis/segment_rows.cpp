@@ -172,7 +172,8 @@ void apply_body(ViewContext& context, const BodyChoice& body) {
 void draw_carried_segment(ViewContext& context) {
   const JointIndex joint = find_plotted_joint(context.session);
   inspector::heading(context, "What the selected joint carries");
-  draw_part_choice(context, joint);
+  if (context.session.document.clip().body.is_only_own) inspector::text_row(context, "Joint", ui::displayable(context.session.document.skeleton().name(joint)));
+  else draw_part_choice(context, joint);
   const ChosenBody* body = context.analysis.body();
   const auto segment = body == nullptr ? std::nullopt : find_whole_segment(body->body.model, joint);
   const float width = inspector::begin_row(context, "Mass");

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <string>
 
 #include "core/signal/range_statistics.h"
 #include "wasm/app/widgets.h"
@@ -32,12 +34,30 @@ void draw_header(ViewContext& context) {
   }
 }
 
-// Of a clip beside the open one: `clip_name`, else "".
-void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, std::string_view clip_name, int row) {
-  const FrameRange asked = context.session.playback.range();
-  const FrameIndex first = std::min(asked.first, size_of(line.values));
-  const auto found = find_range_statistics(line.values, {first, std::min(asked.end(), size_of(line.values)) - first});
-  const double frame_time = context.session.document.motion().frame_time_s();
+/// The clip that a row is of: the open one, or one beside it, with its own frames.
+struct RowClip {
+  std::string name;  ///< "" for the open one
+  double frame_time_s = 1.0;
+  FrameRange frames;  ///< those within the seconds of the range
+};
+
+RowClip open_clip(const Session& session) { return {"", session.document.motion().frame_time_s(), session.playback.range()}; }
+
+// The last frame of the range belongs to it.
+RowClip clip_beside(const Session& session, const OtherClip& other, double frame_time_s) {
+  const RowClip open = open_clip(session);
+  constexpr double kRounding = 1e-9;
+  const auto frame_at = [&](FrameIndex frame) { return frame * open.frame_time_s / frame_time_s; };
+  const auto first = static_cast<FrameIndex>(std::ceil(std::min(frame_at(open.frames.first) - kRounding, 1e9)));
+  const auto last = static_cast<FrameIndex>(std::floor(std::min(frame_at(open.frames.end() - 1) + kRounding, 1e9)));
+  return {ui::displayable(other.file_name), frame_time_s, {first, std::max(last - first + 1, 0)}};
+}
+
+void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& line, const RowClip& clip, int row) {
+  const std::string& clip_name = clip.name;
+  const FrameIndex first = std::min(clip.frames.first, size_of(line.values));
+  const auto found = find_range_statistics(line.values, {first, std::min(clip.frames.end(), size_of(line.values)) - first});
+  const double frame_time = clip.frame_time_s;
   const auto time_of = [&](FrameIndex frame) { return SmallText("{:.3f} s", frame * frame_time); };
   ImGui::TableNextRow();
   ImGui::TableNextColumn();
@@ -93,10 +113,10 @@ void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
   draw_header(context);
   int row = 0;
   for (const AnalysisPlot& plot : context.analysis.plots()) {
-    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, "", row++);
+    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, open_clip(context.session), row++);
     for (std::size_t other = 0; other < std::min(plot.others.size(), context.session.others.size()); ++other) {
-      const std::string name = ui::displayable(context.session.others[other]->file_name);
-      for (const PlotLine& line : plot.others[other]) draw_line(context, plot, line, name, row++);
+      const RowClip clip = clip_beside(context.session, *context.session.others[other], plot.others[other].frame_time_s);
+      for (const PlotLine& line : plot.others[other].own) draw_line(context, plot, line, clip, row++);
     }
   }
   draw_events(context, range);

@@ -92,6 +92,14 @@ void CurveBand::bridge_gaps() {
   }
 }
 
+void CurveBand::draw_middle(ImDrawList& list, ImU32 color, float width, Dashes dashes) {
+  for (const Strip& strip : strips_) {
+    middles_.clear();
+    for (const Column& column : columns(strip)) middles_.push_back({column.x, 0.5f * (column.top + column.bottom)});
+    stroke_dashed(list, middles_, color, width, dashes);
+  }
+}
+
 void CurveBand::add_to(CurveBatch& batch, ImU32 color, float width) const {
   const float half = 0.5f * width;
   const auto add = [&](const Column& column, float shift) {

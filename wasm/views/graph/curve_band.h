@@ -8,6 +8,7 @@
 #include "core/motion/curve_pyramid.h"
 #include "wasm/app/time_window.h"
 #include "wasm/render/curve_batch.h"
+#include "wasm/views/graph/dashes.h"
 #include "wasm/views/graph/value_axis.h"
 
 namespace marey::app {
@@ -37,6 +38,9 @@ class CurveBand {
   [[nodiscard]] std::span<const Strip> strips() const { return strips_; }
   [[nodiscard]] std::span<const Column> columns(const Strip& strip) const;
 
+  /// A line through the middles of the columns.
+  void draw_middle(ImDrawList& list, ImU32 color, float width, Dashes dashes);
+
   /// `width`: of the line that stands around the extents.
   void add_to(CurveBatch& batch, ImU32 color, float width) const;
 
@@ -46,6 +50,7 @@ class CurveBand {
 
   std::vector<Column> columns_;
   std::vector<Strip> strips_;
+  std::vector<ImVec2> middles_;
   bool open_ = false;
 };
 

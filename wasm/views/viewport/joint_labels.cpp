@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/base/stable_order.h"
-
 #include "wasm/app/widgets.h"
 
 namespace marey::app {
