@@ -36,7 +36,7 @@ struct PlotBand {
 /// The lines of a clip beside the open one.
 struct OtherLines {
   std::vector<PlotLine> lines;  ///< at the times of the open clip's frames
-  std::vector<PlotLine> own;    ///< at its own
+  std::span<const PlotLine> own;  ///< at its own; ComparedClips keeps them
   double frame_time_s = 1.0;    ///< its own
 };
 

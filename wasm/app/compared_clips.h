@@ -17,10 +17,9 @@ namespace marey::app {
 class ComparedClips {
  public:
   /// Adds lines to plots, as far as the other figures have what is plotted, and what there is to know to `notes`. `request` is that
-  /// of the open clip, `body` its body, null for none.
+  /// of the open clip, `body` its body, null for none. The lines hold until the next call.
   void add_to(std::vector<AnalysisPlot>& plots, const Session& session, const AnalysisRequest& request, const ChosenBody* body,
               std::vector<std::string>& notes);
-  void clear() { answers_.clear(); }
 
  private:
   /// What the lines of a clip follow from, and they.
