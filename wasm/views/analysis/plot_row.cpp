@@ -21,7 +21,6 @@ constexpr double kDenseSamplesPerColumn = 2.0;
 constexpr double kWheelZoom = 1.15;
 constexpr float kLetterHeight = 13.0f;
 constexpr float kValueRoom = 20.0f;
-constexpr double kLeastHeight = 1e-3;  // of any unit: less is rounding
 constexpr double kRounding = 5e-10;
 
 double value_at(const PlotLine& line, FrameIndex frame) {

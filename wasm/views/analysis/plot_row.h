@@ -56,6 +56,9 @@ class PlotRow {
   Look look_;
 };
 
+/// Of the value axis of a plot, in any unit: less is rounding.
+inline constexpr double kLeastHeight = 1e-3;
+
 /// Of a component; the accent where there is none.
 [[nodiscard]] ImU32 component_color(const Theme& theme, char component);
 

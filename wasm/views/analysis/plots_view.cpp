@@ -242,7 +242,7 @@ void PlotsView::draw_against(ViewContext& context, ImVec2 min, ImVec2 max) const
     const ImVec4 place = plot_place(i - 1, size_of(plots) - 1, {min.x + 4.0f, min.y}, max, kLeastPlotWidth);
     const std::string title = plots[idx(i)].title();
     draw_small_plot(context, SmallText("plots.against.{}", i).c_str(), {place.x, place.y}, {place.z, place.w},
-                    {title, x_unit, "", range.low - margin, range.high + margin, curves, {}, {}, false, dots});
+                    {title, x_unit, "", range.low - margin, range.high + margin, curves, {}, {}, false, dots, kLeastHeight});
   }
 }
 

@@ -81,6 +81,18 @@ void draw_line(ViewContext& context, const AnalysisPlot& plot, const PlotLine& l
   draw_number(context, value_text(found->rms));
 }
 
+// The same component of the clips beside the open one, below it; the next row.
+int draw_others(ViewContext& context, const AnalysisPlot& plot, char component, int row) {
+  const Session& session = context.session;
+  for (std::size_t other = 0; other < std::min(plot.others.size(), session.others.size()); ++other) {
+    const RowClip clip = clip_beside(session, *session.others[other], plot.others[other].frame_time_s);
+    for (const PlotLine& line : plot.others[other].own) {
+      if (line.component == component) draw_line(context, plot, line, clip, row++);
+    }
+  }
+  return row;
+}
+
 // When a foot touches or leaves the ground, below the column of times.
 void draw_events(ViewContext& context, FrameRange range) {
   const Document& document = context.session.document;
@@ -113,10 +125,9 @@ void draw_statistics(ViewContext& context, ImVec2 min, ImVec2 max) {
   draw_header(context);
   int row = 0;
   for (const AnalysisPlot& plot : context.analysis.plots()) {
-    for (const PlotLine& line : plot.lines) draw_line(context, plot, line, open_clip(context.session), row++);
-    for (std::size_t other = 0; other < std::min(plot.others.size(), context.session.others.size()); ++other) {
-      const RowClip clip = clip_beside(context.session, *context.session.others[other], plot.others[other].frame_time_s);
-      for (const PlotLine& line : plot.others[other].own) draw_line(context, plot, line, clip, row++);
+    for (const PlotLine& line : plot.lines) {
+      draw_line(context, plot, line, open_clip(context.session), row++);
+      row = draw_others(context, plot, line.component, row);
     }
   }
   draw_events(context, range);

@@ -38,7 +38,7 @@ PlotArea place(const SmallPlot& plot, ImVec2 min, ImVec2 max) {
       if (curve.x[i] >= plot.x_low && curve.x[i] <= plot.x_high) range.add(curve.y[i]);
     }
   }
-  if (!range.empty) area.axis.fit(plot.from_zero ? 0.0 : range.low, range.high, 1e-6 * std::max(std::abs(range.high), 1e-3));
+  if (!range.empty) area.axis.fit(plot.from_zero ? 0.0 : range.low, range.high, std::max(plot.least_height, 1e-6 * std::abs(range.high)));
   if (plot.from_zero) area.axis.low = 0.0;
   area.axis.top = area.min.y;
   area.axis.bottom = area.max.y;

@@ -51,6 +51,7 @@ struct SmallPlot {
   std::span<const PlotStretch> stretches;
   bool from_zero = false;  ///< the value axis starts at 0
   std::span<const PlotDot> dots{};
+  double least_height = 1e-9;  ///< of the value axis: less is rounding
 };
 
 /// Draws a plot with title, axes and units into a rectangle; curves with more points than pixels by their extents.
