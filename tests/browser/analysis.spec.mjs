@@ -145,7 +145,8 @@ test("measured segments are dropped on the page, changed, and downloaded again",
   await marey.press("Enter");
   await marey.expectState(({ undoName }) => undoName, "Change a segment");
   await marey.picture("segment");
-  const { name, bytes } = await downloadBy(marey, page, "analysis.save_model");
+  await marey.click("menu.Analyse");
+  const { name, bytes } = await downloadBy(marey, page, "menu.analysis.save_model");
   expect(name).toBe("swing-body.json");
   const saved = JSON.parse(bytes.toString());
   expect(saved.segments).toHaveLength(3);

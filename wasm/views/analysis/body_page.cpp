@@ -210,9 +210,9 @@ void draw_body_page(ViewContext& context) {
     draw_notes(context, body->body.notes);
   }
   draw_gravity(context);
+  draw_model_buttons(context);
   draw_carried_segment(context);
   if (body != nullptr) draw_segment_list(context, *body);
-  draw_model_buttons(context);
   ImGui::Dummy({0.0f, 16.0f});
 }
 
