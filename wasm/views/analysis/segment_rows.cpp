@@ -71,7 +71,7 @@ void draw_part_choice(ViewContext& context, JointIndex joint) {
   inspector::end_row();
 }
 
-/// Numbers of a row that belong together: the label has their unit.
+/// Numbers of a row that belong together: the label above them has their unit.
 struct Triple {
   const char* id;
   const char* label;
@@ -83,7 +83,10 @@ struct Triple {
 // Each number makes the segment with another value at its place: set(segment, place, value).
 template <class Set>
 void draw_triple(ViewContext& context, const Triple& triple, const Segment& present, const Set& set) {
-  const float room = inspector::begin_row(context, triple.label);
+  ImGui::SetCursorPosX(inspector::kPadding);
+  ui::dim_text(context, triple.label);
+  ImGui::SetCursorPosX(inspector::kPadding);
+  const float room = ImGui::GetContentRegionAvail().x - inspector::kPadding;
   ui::NumberFormat format = triple.format;
   format.width = std::floor((room - 2.0f * kGap) / 3.0f);
   for (int i = 0; i < 3; ++i) {
@@ -106,15 +109,15 @@ void draw_shape(ViewContext& context, const Segment& present) {
   const auto set_product = [](OwnShape& s, int i, double value) { s.inertia_kgm2[idx(i + 3)] = value; };
   const auto& inertia = shape.inertia_kgm2;
   draw_triple(context,
-              {"body.centre", "Centre, m", {"Centre of mass from the joint, X", "Centre of mass from the joint, Y", "Centre of mass from the joint, Z"},
+              {"body.centre", "Centre of mass from the joint: X, Y, Z in m", {"Centre of mass from the joint, X", "Centre of mass from the joint, Y", "Centre of mass from the joint, Z"},
                {shape.com_m.x, shape.com_m.y, shape.com_m.z}, {.unit = "", .decimals = 3, .step = 0.001, .low = -100.0, .high = 100.0}},
               present, [](OwnShape& s, int i, double value) { s.com_m[i] = value; });
   draw_triple(context,
-              {"body.moment", "Inertia, kg·m²", {"Moment of inertia about the centre, XX", "Moment of inertia about the centre, YY", "Moment of inertia about the centre, ZZ"},
+              {"body.moment", "Inertia about it: XX, YY, ZZ in kg·m²", {"Moment of inertia about the centre, XX", "Moment of inertia about the centre, YY", "Moment of inertia about the centre, ZZ"},
                {inertia[0], inertia[1], inertia[2]}, {.unit = "", .decimals = 4, .step = 0.0005, .low = 0.0, .high = 1e6}},
               present, set_moment);
   draw_triple(context,
-              {"body.product", "XY, XZ, YZ", {"Product of inertia, XY", "Product of inertia, XZ", "Product of inertia, YZ"},
+              {"body.product", "Its products: XY, XZ, YZ in kg·m²", {"Product of inertia, XY", "Product of inertia, XZ", "Product of inertia, YZ"},
                {inertia[3], inertia[4], inertia[5]}, {.unit = "", .decimals = 4, .step = 0.0005, .low = -1e6, .high = 1e6}},
               present, set_product);
 }
