@@ -18,6 +18,8 @@ template <class Json>
   } catch (const typename Json::parse_error& error) {
     const std::size_t offset = error.byte > 0 ? error.byte - 1 : 0;
     return Error{DiagnosticCode::InvalidArgument, text_place(text, offset), fmt::format("{} is not valid JSON.", what), {}, {}};
+  } catch (const typename Json::out_of_range&) {
+    return Error{DiagnosticCode::InvalidArgument, {}, fmt::format("{} has a number that is too large.", what), {}, {}};
   }
 }
 

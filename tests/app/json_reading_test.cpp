@@ -25,6 +25,7 @@ TEST(JsonReading, SaysWhereTheTextIsNone) {
   EXPECT_EQ(place_of("[1, 2"), (TextPlace{1, 6}));
   EXPECT_EQ(place_of(""), (TextPlace{1, 1}));
   EXPECT_EQ(place_of("{} {}"), (TextPlace{1, 4}));
+  EXPECT_FALSE(read_json("[1e400]")) << "larger than any number";
 }
 
 // Lists in lists take no stack: neither while they are read nor while they are forgotten.

@@ -106,12 +106,14 @@ describe("marey analyse", () => {
   test("says what is wrong", () => {
     const broken = scratch("broken.json", `{"segments": [{"joint": "Arms"`);
     const noJoint = scratch("no_joint.json", JSON.stringify({ segments: [{ joint: "Head", mass_kg: 1, com_m: [0, 0, 0] }] }));
+    const tooLarge = scratch("too_large.json", `{"segments": [{"joint": "Arms", "mass_kg": 1e400, "com_m": [0, 0, 0]}]}`);
     for (const [args, pattern] of [
       [["-q", "torque:*"], /'torque' needs the masses of the segments/],
       [["-q", "torque:Head", "--model", modelFile()], /There is no joint 'Head'/],
       [["-q", "com", "--mass", "70"], /--mass/],
       [["-q", "speed"], /'speed' is not a quantity; there are position, velocity/],
       [["-q", "com", "--model", broken], /broken\.json:1:\d+: error: The model is not valid JSON/],
+      [["-q", "com", "--model", tooLarge], /too_large\.json: error: The model has a number that is too large/],
       [["-q", "com", "--model", noJoint], /Segment 1 of the model hangs on a joint 'Head'/],
       [["-q", "velocity:*", "--derivative", "spline"], /'spline' is not a way to differentiate/],
       [["-q", "velocity:*", "--support", "rope"], /rope/],

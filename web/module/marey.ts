@@ -167,7 +167,7 @@ export interface AnalyseOptions {
   model?: BodyModel;
   /** Masses by a table, the names of the joints and the lengths of the bones; a model is then not looked at. */
   body?: "deleva-male" | "deleva-female" | "winter" | "rods";
-  /** Of the body, in kg; by default that of the table's average subject. */
+  /** Of the body, in kg, beside `body` and only there; by default that of the table's average subject. */
   mass?: number;
   /** What holds the body; by default "auto". */
   support?: "pivot" | "flight" | "ground" | "auto";
